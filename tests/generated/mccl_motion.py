@@ -7,9 +7,9 @@ from tests.generated.draw import Draw
 AXES = (1, 2, 3)
 # The actions of a program, by frequency; each is a method of `McclProgram`.
 ACTIONS = {
-    "move": 16, "velocity": 8, "contour": 6, "slave": 5, "stop": 10, "speed": 16, "shape": 8, "wait": 20, "rest": 10,
-    "limit": 5, "zero": 4, "jog": 2, "switch": 2, "points": 2, "backlash": 3, "units": 1, "override": 4, "search": 2,
-    "macro": 2, "task": 2, "repeat": 2, "stepper": 1, "one_line": 6,
+    "move": 16, "velocity": 8, "reversal": 4, "contour": 6, "slave": 5, "stop": 10, "speed": 16, "shape": 8, "wait": 20,
+    "rest": 10, "limit": 5, "zero": 4, "jog": 2, "switch": 2, "points": 2, "backlash": 3, "units": 1, "override": 4,
+    "search": 2, "macro": 2, "task": 2, "repeat": 2, "stepper": 1, "one_line": 6,
 }  # fmt: skip
 
 
@@ -78,6 +78,18 @@ class McclProgram:
         if draw.chance(0.5):
             run.insert(0, f"{axis}DI{draw.randrange(2)}")
         return [f"{axis}VM", *run] if draw.chance(0.85) else run
+
+    def _reversal(self) -> list[str]:
+        """Return a motion that turns round, and rates written while it does."""
+        axis, draw = self._axis(), self.draw
+        if draw.chance(0.5):
+            commands = [f"{axis}VM", f"{axis}DI0", f"{axis}GO", self._wait_of(), f"{axis}DI1", f"{axis}GO"]
+        else:
+            commands = [f"{axis}PM", f"{axis}MR{draw.randrange(1, 2000)}", self._wait_of()]
+            commands.append(f"{axis}MR-{draw.randrange(1, 4000)}")
+        for _ in range(draw.randrange(1, 4)):
+            commands += [self._wait_of(), f"{axis}{self._setting(draw.choice(('SV', 'SA', 'DS')))}"]
+        return commands
 
     def _contour(self) -> list[str]:
         draw = self.draw

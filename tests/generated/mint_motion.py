@@ -13,15 +13,20 @@ Dim spans(5) As Float = 4, 200, 100, 200, 100
 Dim k As Integer, faults As Integer"""
 # The actions of a program, by frequency; each is a method of `MintProgram`.
 ACTIONS = {
-    "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "blended": 4, "retarget": 4, "jog": 5, "follow": 6,
-    "cam": 5, "fly": 3, "spline": 5, "offset": 3, "home": 2, "reference": 3, "stop": 8, "suspend": 5, "speed": 10,
-    "setting": 8, "limit": 5, "zero": 4, "scale": 1, "drive": 2, "wait": 14, "rest": 8, "loop": 2, "dwell": 2,
-    "triggered": 1,
+    "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "blended": 4, "retarget": 4, "reversal": 5, "jog": 5,
+    "follow": 6, "cam": 5, "fly": 3, "spline": 5, "offset": 3, "home": 2, "reference": 3, "stop": 8, "suspend": 5,
+    "speed": 10, "setting": 8, "limit": 5, "zero": 4, "scale": 1, "drive": 2, "wait": 14, "rest": 8, "loop": 2,
+    "dwell": 2, "triggered": 1,
 }  # fmt: skip
 _SPEEDS = (
     "SPEED", "ACCEL", "DECEL", "FEEDRATEOVERRIDE", "FEEDRATE", "MAXSPEED", "MAXACCEL", "MAXDECEL", "ACCELJERK",
     "DECELJERK", "PROFILEMODE", "FEEDRATEMODE", "ACCELTIME", "DECELTIME", "SRAMP", "ERRORDECEL", "ACCELJERKTIME",
     "DECELJERKTIME",
+)  # fmt: skip
+# Those that act on a motion in progress, some with the next of them.
+_RATES = (
+    "SPEED", "ACCEL", "DECEL", "ACCELTIME", "DECELTIME", "MAXACCEL", "MAXDECEL", "ACCELJERK", "DECELJERK",
+    "FEEDRATEOVERRIDE",
 )  # fmt: skip
 _LIMITS = ("SOFTLIMITFORWARD", "SOFTLIMITREVERSE", "SOFTLIMITMODE", "LIMITMODE", "STOPMODE", "ABORTMODE")
 
@@ -190,6 +195,27 @@ class MintProgram:
 
     def _retarget(self) -> list[str]:
         return [self._write(self.draw.choice(("INCR", "INCA")), self._axis())]
+
+    def _reversal(self) -> list[str]:
+        """Return a motion that turns round, and rates written while it does."""
+        axis, draw = self._axis(), self.draw
+        size = draw.real(1, 80)
+        there, back = draw.choice(
+            (
+                (
+                    f"MOVER({axis}) = {size} : GO({axis})",
+                    f"INCA({axis}) = POS({axis}) - {draw.real(0.1, 80)}",
+                ),
+                (f"MOVER({axis}) = {size} : GO({axis})", f"INCR({axis}) = -{draw.real(0.1, 80)}"),
+                (f"JOG({axis}) = {size}", f"JOG({axis}) = -{draw.real(1, 60)}"),
+                (f"JOG({axis}) = {size}", f"INCA({axis}) = POS({axis}) - {draw.real(0.1, 80)}"),
+            )
+        )
+        lines = [there, f"WAIT = {draw.randrange(5, 400)}", back]
+        for _ in range(draw.randrange(1, 4)):
+            rate = self._write(draw.choice(_RATES), axis)
+            lines += [f"WAIT = {draw.choice((1, draw.randrange(2, 40), draw.randrange(20, 400)))}", rate]
+        return lines
 
     def _jog(self) -> list[str]:
         axis, draw = self._axis(), self.draw

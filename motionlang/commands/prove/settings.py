@@ -5,6 +5,8 @@ Rates may come too late: a motion that could not stop at its end with them conti
 
 from __future__ import annotations
 
+from math import copysign, inf
+
 from motionlang.commands.prove.axes import check_bounds
 from motionlang.commands.prove.checker import SLACK, Proof, RunRecords
 from motionlang.commands.prove.order import Order
@@ -13,6 +15,7 @@ from motionlang.commands.prove.paths import check_rest, in_force, rest_along
 from motionlang.commands.prove.segments import spans
 from motionlang.commands.prove.stretches import stopping_distance
 from motionlang.kernel import WholeTrack
+from motionlang.kernel.planners import Profile
 
 LATE = "a rate written too late: the motion keeps the one in force"
 
@@ -32,11 +35,7 @@ def check_settings(proof: Proof, run: RunRecords) -> None:
 
 
 def _check_late(proof: Proof, a: WholeTrack, i: int, wanted: Order) -> None:
-    profile = a.profiles[i]
-    state, left = profile.at(0.0), abs(profile.end - profile.start)
-    if wanted.kind == "move" and stopping_distance(wanted, state.velocity, state.acceleration) < left * (
-        1.0 - SLACK
-    ):
+    if wanted.kind == "move" and _could_stop(wanted, a.profiles[i], 0.0):
         where = f"axis {a.index} at {a.starts[i]:.6f} s"
         proof.breaks(wanted.line, f"{where}: it keeps its rates, commanded {wanted.rates[1]:g} counts/s²")
     else:
@@ -70,13 +69,27 @@ def _check_setting(
         proof.breaks(order.line, f"{where}: {words}")
     elif kinds == ("move", "move") and a.profiles[i].pieced:
         elapsed = time - a.starts[i]
-        state, left = a.profiles[i].at(elapsed), abs(a.profiles[i].end - a.profiles[i].position(elapsed))
+        state = a.profiles[i].at(elapsed)
         entry = state.velocity, state.acceleration
-        is_heeded = stopping_distance(wanted, *entry) < left * (1.0 - SLACK)
+        is_heeded = _could_stop(wanted, a.profiles[i], elapsed)
         if not is_heeded:
             proof.excuses(LATE)
         lower = _lower(order, wanted, is_heeded)
         check_bounds(proof, lower, spans(a.profiles[i], elapsed, end - time), entry, where)
+
+
+def _could_stop(order: Order, profile: Profile, elapsed: float) -> bool:
+    """True if a move certainly has room for a stop by an order.
+
+    An axis that moves away from its target, or passes it to turn round, has all room.
+    """
+    state = profile.at(elapsed)
+    ahead = copysign(1.0, state.velocity)
+    room = ahead * (profile.end - state.position)
+    farthest = ahead * profile.after(elapsed).extrema()[ahead > 0.0]
+    turns = room < 0.0 or farthest - ahead * profile.end > SLACK * room
+    needed = stopping_distance(order, state.velocity, state.acceleration)
+    return needed < (inf if turns else room * (1.0 - SLACK))
 
 
 def _check_path_setting(

@@ -122,9 +122,8 @@ def clamped_blend(a: Axis, line: int, commanded: float, got: float) -> None:
     _once(a, "clamp", "blend distance", line, commanded, got)
 
 
-def too_late(a: Axis, move: LoggedMove, written: Rates, in_force: Rates) -> None:
-    """Log, once, the rate that was written in motion and with which the axis would pass its target."""
-    k = int(written[1] < in_force[1])
+def too_late(a: Axis, move: LoggedMove, k: int, written: Rates, in_force: Rates) -> None:
+    """Log, once, the rate, number `k` of the two, with which the axis would pass its target."""
     what = ("acceleration", "deceleration")[k]
     _once(a, "too late", what, move.line, _speed(a, written[k]), _speed(a, in_force[k]))
 

@@ -64,6 +64,8 @@ LIVE = frozenset(
 )
 _LIMITS = frozenset({"max_speed", "max_accel", "max_decel"})
 _SPEEDS = frozenset({"speed", "override", "feedrate_mode", "max_speed"})
+# Those that are a rate, and which of the two.
+_RATES = {"accel": 0, "accel_time": 0, "max_accel": 0, "decel": 1, "decel_time": 1, "max_decel": 1}
 
 
 def configure(a: Axis, name: str, value: object) -> None:
@@ -131,10 +133,10 @@ def _concerns(move: LoggedMove, name: str) -> bool:
 
 
 def _replan(a: Axis, name: str) -> None:
-    """Apply a new setting to the rest of the move, unless its rates would cause an overshoot.
+    """Apply a new setting to the rest of the move, unless its rate comes too late.
 
-    If a lower deceleration comes too late, the axis brakes as planned; no source says what a controller does
-    there. A new speed then acts at the rates in force.
+    Then the axis brakes as planned; no source says what a controller does there. A new speed acts at the rates in
+    force, and a new rate beside one that came too late before.
     """
     move = a.move
     assert move is not None
@@ -143,18 +145,40 @@ def _replan(a: Axis, name: str) -> None:
         return
     in_force = move.rates_in_force
     profile = plan_move(a, move)
-    if in_force is not None and move.rates_in_force is not None and _overshoots(profile, move):
-        too_late(a, move, move.rates_in_force, in_force)
-        move.rates_in_force = in_force
-        if name not in _SPEEDS:
+    written = move.rates_in_force
+    if in_force is None or written is None or not _is_late(a, move, profile):
+        continue_with(a, profile, "")
+        return
+    k = _RATES.get(name)
+    if k is None:
+        if written != in_force:
+            too_late(a, move, int(written[1] != in_force[1]), written, in_force)
+        continue_with(a, plan_move(a, move, in_force), "")
+        return
+    alone = (in_force[0], written[1]) if k else (written[0], in_force[1])
+    if alone != written:
+        profile = plan_move(a, move, alone)
+        if not _is_late(a, move, profile):
+            continue_with(a, profile, "")
             return
-        profile = plan_move(a, move, in_force)
-    continue_with(a, profile, "")
+    too_late(a, move, k, written, in_force)
+    move.rates_in_force = in_force
 
 
-def _overshoots(profile: Profile, move: LoggedMove) -> bool:
-    """True if a profile leaves the way from its start to the target of its move."""
+def _is_late(a: Axis, move: LoggedMove, profile: Profile) -> bool:
+    """True if a profile leaves the way to the target of its move on a side where the rest of the plan does not.
+
+    An axis that moves away from its target, or passes it to turn round, leaves the way under any rates.
+    """
+    leaves = _leaves(profile, move.target)
+    if not any(leaves):
+        return False
+    planned = _leaves(a.profiles[-1].after(a.clock.now - a.starts[-1]), move.target)
+    return any(new and not old for new, old in zip(leaves, planned, strict=True))
+
+
+def _leaves(profile: Profile, target: float) -> tuple[bool, bool]:
+    """True if a profile goes below, and above, the way from its start to `target`."""
     low, high = profile.extrema()
-    ends = sorted((profile.start, move.target))
     slack = 1e-9 * (high - low) + 1e-9
-    return low < ends[0] - slack or high > ends[1] + slack
+    return low < min(profile.start, target) - slack, high > max(profile.start, target) + slack

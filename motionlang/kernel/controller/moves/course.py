@@ -280,7 +280,7 @@ class Course:
         )
         if pace.speed and (pace.accel, pace.decel) != self.rates:
             written, in_force = (pace.accel * k, pace.decel * k), (self.rates[0] * k, self.rates[1] * k)
-            too_late(self.axes[0], leader, written, in_force)
+            too_late(self.axes[0], leader, int(written[1] != in_force[1]), written, in_force)
 
     def _from_rest(
         self, time: float, stretches: list[tuple[float, PathPace]], goal: PathMove
