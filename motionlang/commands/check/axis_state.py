@@ -217,7 +217,8 @@ class Follower:
     """
 
     def __init__(self, facts: Facts) -> None:
-        self.facts, self.reach = facts, Reach(facts)
+        self.facts = facts
+        self.reach = Reach(self)
         self.before: dict[Part, dict[int, AllAxes]] = {}
         self.after: dict[Part, After] = {}
         self.apart = self._shared()
@@ -260,6 +261,15 @@ class Follower:
             if root.kind in ("task", "event"):
                 found |= self.facts.touched(root, frozenset(("stop",)))
         return found
+
+    def is_over(self, p: int, key: Key, later: int) -> bool:
+        """True if a move that is commanded at a point of the program is over at a later one: the axis is at rest."""
+        main = next(part for part in self.facts.parts if part.kind == "main")
+        states = self.before.get(main, {})
+        if p not in states or later not in states:
+            return False
+        axis = self.known(states[later], key)
+        return axis.motion == IDLE and axis.empty
 
     def known(self, state: AllAxes, key: Key) -> AxisFacts:
         """Return the certain facts about an axis."""
@@ -415,7 +425,7 @@ class Follower:
 
     def _checked(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         """Report a target that is out of reach, and drop it from the facts."""
-        if axis.target is None or not self.reach.beyond(key, axis):
+        if axis.target is None or not self.reach.beyond(act, key, axis):
             return axis
         self._report_problem("beyond-travel", act, key, axis)
         return axis._replace(target=None)

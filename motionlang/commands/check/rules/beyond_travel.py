@@ -8,7 +8,7 @@ from motionlang.commands.check.rule_facts import Facts, spelt
 
 def check(facts: Facts, warn: Warn) -> None:
     for act, key, axis in facts.axes.problems.get("beyond-travel", ()):
-        limit = facts.axes.reach.beyond(key, axis)
+        limit = facts.axes.reach.beyond(act, key, axis)
         assert limit is not None
         message = f"the move ends at {axis.target:.10g}, beyond {limit.text} of axis {spelt(key)}"
         warn(message, act.at, limit.hint)
@@ -20,8 +20,9 @@ RULE = Rule(
     text="""\
 A move ends beyond the limit switch of its axis (`axis.0.travel` of the machine file), or beyond a SOFTLIMITFORWARD or
 SOFTLIMITREVERSE of the program; in MCCL beyond an HL or LL that LN enables. The warning appears if the end of the move
-is known: for constants, and for moves by a distance from a known position. A POS or DH that gives the axis a new zero
-is taken into account. After a search for the home switch only the software limits are checked.
+is known: for constants, and for moves by a distance from a known position. A limit that is set when the move is over
+does not count. A POS or DH that gives the axis a new zero is taken into account. After a search for the home switch
+only the software limits are checked.
 
 In Mint, a program that sets one software limit puts the other one in force, too, and that is 0 until it is set.
 """,
