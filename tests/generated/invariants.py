@@ -125,7 +125,9 @@ def table_agrees(result: Run, report: dict[str, Any]) -> Iterator[str]:
         rows["events"].append((_GAP.split(text.strip()), [event["time"], event["kind"]]))
     axes = _rows(blocks, "axis  position")
     for text, axis in zip(axes, report["axes"], strict=False):
-        rows["axes"].append((_GAP.split(text.strip()), [axis[n] for n in ("axis", "position")]))
+        rows["axes"].append(
+            (_GAP.split(text.strip()), [axis["axis"], axis.get("wrapped_position", axis["position"])])
+        )
     for name, shown in (("moves", moves), ("events", events), ("axes", axes)):
         if len(shown) != len(report[name]):
             yield f"table: {len(shown)} of {len(report[name])} {name}"

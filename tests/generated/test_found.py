@@ -1371,3 +1371,10 @@ def test_an_acceleration_is_known_to_the_rounding_of_the_velocities_around_it() 
     """
     result = proved("1MN\n1MA1675\n1MV20\n1MF,1MN\n1MA0\n", suffix="mcl")
     assert positions(result, 1) == [0.0]
+
+
+def test_a_move_at_a_new_zero_keeps_the_rates_that_it_began_with() -> None:
+    """By -3000: 500 up and 500 down in 1 s each, 2000 in 2 s. A DH of 1000 at 0 makes its end -2000."""
+    result = proved("1MN,1SV1000,1SA1000,1DS1000\n1MR-3000,1DS5000\n1DH1000,1WS\n", "mcl")
+    assert positions(result, 1) == pytest.approx([-2000.0])
+    assert result.time == pytest.approx(4.0)

@@ -69,6 +69,10 @@ def test_a_figure_that_the_table_does_not_show_is_found(rows: str, name: str, va
     assert f"for {value!r} in" in message
 
 
+def test_a_wrapped_position_is_the_one_that_the_table_shows() -> None:
+    assert list(table_agrees(*ran("POSWRAP(0) = 360\nMOVER(0) = -2 : GO(0)\nPAUSE IDLE(0)\n"))) == []
+
+
 def test_a_row_that_the_table_lacks_is_found() -> None:
     result, report = ran(PROGRAM)
     report["moves"] *= 2

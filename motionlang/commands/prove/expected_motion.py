@@ -117,13 +117,13 @@ class ExpectedMotion(MotionListener):
                 elif a.datum != self.data[a.index][-1]:
                     order = self.of[a.index][-1]  # a table that comes to rest on itself, at a new zero
                 self._halts[a.index] = move.action, order
+            elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
+                # The same motion at a new zero: settings that were written since do not act.
+                order = self.of[a.index][-1]
             elif move is not None and move.action is None and order.rates != move.rates_in_force:
                 assert move.rates_in_force is not None
                 self.late[a.index, self._controller.clock.now] = order
                 order = order._replace(rates=move.rates_in_force)
-            elif order.kind in SHIFTED and a.datum != self.data[a.index][-1]:
-                # The same motion at a new zero: settings that were written since do not act.
-                order = self.of[a.index][-1]
             self._append(a, order)
             if order.path is not None and order.path.members[0] == a.index:
                 self.heed(a)  # a path that was planned ahead keeps settings written since
