@@ -69,6 +69,7 @@ CODES: dict[str, str] = {
     "machine-file": "The machine file is invalid.",
     "option": "An option of the command line does not fit the program or its machine file.",
     "guess": "The result depends on guesses of motionlang init.",
+    "not-a-number": "The operator's answer to INPUT is no number, and its number is taken, or 0.",
     "unasked": "An answer was given that no INPUT took.",
     "command-error": "The controller answered the command with an error code.",
     "model": "The chosen controller model does not support this.",

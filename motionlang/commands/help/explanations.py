@@ -157,6 +157,9 @@ EXAMPLES: dict[str, Pair] = {
         "[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\nguess = true\n",
         "[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n",
     ),
+    "not-a-number": _commands(
+        {MINT: 'Dim n\nINPUT "How many? ", n\nPRINT n\n'}, f"run {MINT} --answer 3x", f"run {MINT} --answer 3"
+    ),
     "unasked": _commands({MINT: _MOVE}, f"run {MINT} --answer 5", f"run {MINT}"),
     "command-error": _run_mccl("1MN,1GO\n", "1MN,1VM,1GO\n"),
     "model": _commands(
@@ -222,6 +225,7 @@ FIXES: dict[str, str] = {
     "option": "write the address or the value that the hint names; motionlang check --literals FILE lists the "
     "addresses of a program",
     "guess": "correct the entry in the machine file, and remove its guess = true",
+    "not-a-number": "answer with a number alone, or read a text, which may be anything: Dim s As String",
     "unasked": "remove the answer, or correct the prompt that it is for",
     "command-error": "bring the axis into the state that the hint names before the command, such as 1PM for position "
     "mode or 1MN to switch it on",

@@ -18,7 +18,7 @@ from motionlang.commands.panel.play import PER_SECOND, RELEASE, Action, ActionQu
 from motionlang.commands.panel.play import in_words as change_in_words
 from motionlang.commands.panel.rule import in_words, rules
 from motionlang.commands.panel.scenario import NotSaved, save
-from motionlang.commands.panel.state import Data, contents, state_of
+from motionlang.commands.panel.state import Data, contents, state_of, warnings_of
 from motionlang.kernel import Program, ProgramError, Run, dialect
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang import first_mistake
@@ -74,6 +74,8 @@ class PanelSession:
         self._rules: dict[int, Entry] = {}
         self._explained = -1
         self._notice = ""
+        # How often the run has warned, as far as the pages know.
+        self._warned = 0
         # The state of the files that the program was read from, and that of which the pages know.
         self._read = self._noticed = self._stamps()
         program, settings = load()
@@ -107,7 +109,7 @@ class PanelSession:
             self._play, self._contents, self._runs = play, made, self._runs + 1
             # Nothing of the run before is shown as the state of this one.
             self._state, self._text, self._length = {}, "", 0
-            self._explained, self._rules = -1, {}
+            self._explained, self._rules, self._warned = -1, {}, 0
             self.say(notice)
         play.start()
 
@@ -128,6 +130,7 @@ class PanelSession:
         if play.machine is not None and play.now >= play.until and explained != len(play.record):
             mine = [each for each in play.record.changes if each[1].number not in play.driven]
             explained, found = len(play.record), rules(mine, play.machine)
+        warned, warning = warnings_of(play)
         new = "".join(play.text)
         play.text.clear()
         with self._news:
@@ -135,6 +138,9 @@ class PanelSession:
             self._length += len(new)
             self._text = (self._text + new)[-MAX_TEXT:]
             self._state, self._states = state, self._states + 1
+            if warned > self._warned:
+                self._warned = warned
+                self.say(warning)
             self._news.notify_all()
 
     def updates(self, cursor: Cursor, seconds: float) -> Data | None:

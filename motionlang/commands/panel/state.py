@@ -166,6 +166,17 @@ def _end(result: Run) -> str:
     )
 
 
+def warnings_of(play: Play) -> tuple[int, str]:
+    """Return how often a run has warned, and its newest warning in words."""
+    machine = play.machine
+    found = [] if machine is None else [each for each in machine.diagnostics if each.severity == "warning"]
+    if not found:
+        return 0, ""
+    newest = max(found, key=lambda each: each.last)
+    where = f"line {newest.line}: " if newest.line else ""
+    return sum(each.count for each in found), f"{where}{newest.message}; {newest.hint}"
+
+
 def _axis_state(machine: Machine, number: int, now: float) -> list[object]:
     """Return position, velocity and target in user units, and the state in words."""
     axis = machine.controller.axes.get(number)

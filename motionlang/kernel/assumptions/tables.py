@@ -74,6 +74,7 @@ OPEN: dict[str, str | dict[str, str]] = {
 serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclearerror
 """,
     "mint.cls": "cls locate bol beep",
+    "mint.input": "input",
     "mint.float-decimals": "print ?",
     "mint.float-zeros": "print ?",
     "mint.float-exponent": "print ?",

@@ -184,6 +184,17 @@ def test_machine_time_stands_until_a_question_is_answered(tmp_path: Path) -> Non
         assert hand.record[0][1] == "answer 12"
 
 
+def test_an_answer_that_is_not_a_number_is_warned_of(tmp_path: Path) -> None:
+    text = 'Dim n\nInput "How many", n\nInput "How much", n\nPause INX(1)\n'
+    with operated(tmp_path / "ask.mnt", text) as hand:
+        hand.rests()
+        hand("reply", text="abc")
+        hand.hears('line 2: the answer "abc" is not a number: INPUT takes 0; type a number alone')
+        hand.sees(lambda state: state["mode"] == "asks" and "much" in state["question"])
+        hand("reply", text="3x")
+        hand.hears('line 3: the answer "3x" is not a number: INPUT takes 3; type a number alone')
+
+
 def test_keys_and_numbers_of_a_host(tmp_path: Path) -> None:
     with operated(tmp_path / "host.mnt", HOST) as hand:
         assert hand.rests()["waits"] == [("key", 0, 3)]

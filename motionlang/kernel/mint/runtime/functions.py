@@ -215,15 +215,20 @@ def shown_by(machine: Machine) -> Callable[[float], str]:
 
 def value(text: str) -> float:
     """Return the number at the beginning of a text, 0 if there is none."""
-    text = text.lstrip()
+    return leading_number(text)[0]
+
+
+def leading_number(text: str) -> tuple[float, str]:
+    """Return the number at the beginning of a text, 0 if there is none, and the text behind it."""
+    text = text.strip()
     for end in range(len(text), 0, -1):
         head = text[:end]
         if head[-1].isdigit() or head[-1] == ".":
             try:
-                return float(head.replace("_", "x"))
+                return float(head.replace("_", "x")), text[end:]
             except ValueError:
                 continue
-    return 0.0
+    return 0.0, text
 
 
 def left(text: str, count: float) -> str:

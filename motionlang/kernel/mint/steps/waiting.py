@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.kernel.errors import Rejected
+from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
 from motionlang.kernel.lang.waits import Delay, Wait, next_tick
 from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Type
@@ -154,7 +155,7 @@ def input_(w: UnitWriter, node: nodes.Input) -> None:
     w.add(WAIT, ask)
     is_text = kind.name == STRING
     typed = Value(
-        lambda values: take(environment, is_text, *([] if is_console else [values[chosen]])),
+        lambda values: take(environment, is_text, CONSOLE if is_console else values[chosen], node.start),
         STRING if is_text else FLOAT,
     )
     get = expressions.converted(w, typed, kind)
