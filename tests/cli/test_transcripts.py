@@ -99,6 +99,8 @@ FILES = {
     "wrong/b.machine.toml": "[axis.0]\ntravvel = 3\n",
     "faulty/a.mnt": "Dim zero\nPrint 1 / zero\n",
     "faulty/a.machine.toml": LIMITS,
+    "half.mnt": f"{STROKE}MOVER(1) = 10 : GO(1) : PAUSE IDLE(1)\n",
+    "half.machine.toml": LIMITS,
     "empty/readme.txt": "nothing\n",
     "limit.mnt": "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n",
     "limit.machine.toml": "[axis.0]\ntravel = [-10, 50]\n",

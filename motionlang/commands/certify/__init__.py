@@ -6,11 +6,11 @@ The extremes come from the closed form of the motion (`commands/certify/extremes
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
-from math import inf
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import inf, isinf
 
-from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak
-from motionlang.kernel import MACHINE_SUFFIX, STDIN_NAME, Axis, Controller, Diagnostic
+from motionlang.commands.certify.extremes import Extreme, extremes, motor_peak, peak_speed
+from motionlang.kernel import MACHINE_SUFFIX, STDIN_NAME, Axis, Controller, Diagnostic, Run
 
 # The limits of `[axis.N.limits]`: the field of the extremes or the column of the motor, and the unit.
 LIMITS = {
@@ -110,18 +110,78 @@ def _line(controller: Controller, a: Axis, time: float) -> int:
 
 
 def missing_limits(program: str, machine: str | None, axis: int) -> str:
-    """Return the hint that names the machine file in which limits are missing, or that to write, for an axis."""
+    """Return the hint that names the machine file in which limits of an axis are missing, or that to write."""
     if machine is None:
         stem = os.path.splitext(program)[0]
         machine = "a machine file" if program == STDIN_NAME else f"{stem}{MACHINE_SUFFIX} next to the program"
     return f"add a section such as [axis.{axis}.limits] with speed = 500, acceleration = 8000 to {machine}"
 
 
-def violations(lines: list[CertifiedLimit], hint: str) -> list[Diagnostic]:
-    """Return a diagnostic per exceeded or unknown limit; `hint` is for a machine without limits."""
+def violations(run: Run, lines: Sequence[CertifiedLimit], hint: Callable[[int], str]) -> list[Diagnostic]:
+    """Return a diagnostic per exceeded or unknown limit, and for what the certificate does not cover.
+
+    `hint` returns the hint for an axis without limits.
+    """
     found = [_diagnostic_of(line) for line in lines if line.verdict != "within"]
     if not lines:
-        found.append(Diagnostic("beyond-limit", "nothing to certify: the machine has no limits", hint=hint))
+        message = "nothing to certify: the machine has no limits"
+        return [*found, Diagnostic("beyond-limit", message, hint=hint(run.dialect.first_axis))]
+    found += [
+        Diagnostic("beyond-limit", _NO_LIMITS.format(axis), hint=hint(axis))
+        for axis in _unlimited(run, lines)
+    ]
+    return found if _failure(run) else found + _cut(run, lines)
+
+
+def omissions(run: Run, lines: Sequence[CertifiedLimit]) -> list[str]:
+    """Return what a certificate does not cover: axes without limits, and motion that the end of the run cut off."""
+    found = [_NO_LIMITS.format(axis) for axis in _unlimited(run, lines)]
+    return found + (_failure(run) or [each.message for each in _cut(run, lines)])
+
+
+_NO_LIMITS = "axis {} moved and has no limits"
+
+
+def _unlimited(run: Run, lines: Sequence[CertifiedLimit]) -> list[int]:
+    """Return the axes that moved and have no limits."""
+    limited = {line.axis for line in lines}
+    return [n for n, a in run.controller.axes.items() if n not in limited and peak_speed(a, run.time)]
+
+
+def _failure(run: Run) -> list[str]:
+    """Return how a run failed, which its own errors report."""
+    at = f"at {run.time:.6g} s"
+    if run.status == "interrupted":
+        return [f"the run was cut off {at}"]
+    hangs = [f"the run hangs at line {each.line}" for each in run.diagnostics if _is_hang(each)]
+    return hangs or ([f"the run failed {at}"] if run.status == "fault" else [])
+
+
+def _is_hang(diagnostic: Diagnostic) -> bool:
+    return diagnostic.code == "never" and diagnostic.severity == "error"
+
+
+def _cut(run: Run, lines: Sequence[CertifiedLimit]) -> list[Diagnostic]:
+    """Return where the end of a run cut off its motion.
+
+    A motion of the cycle that the run repeats is complete, and so is a jog at its speed, unless its axis has a limit of
+    position.
+    """
+    controller, cut = run.controller, f"the run was cut off at {run.time:.6g} s"
+    placed = {line.axis for line in lines if "position" in line.name}
+    repeated = () if run.cycle is None else run.cycle.lines
+    found = []
+    for axis in controller.moving():
+        a = controller.axes[axis]
+        line, is_steady = _line(controller, a, run.time), isinf(controller.idle_time(axis))
+        is_steady = is_steady and not a.at(run.time).acceleration and axis not in placed
+        if line not in repeated and not is_steady:
+            found.append(Diagnostic("beyond-limit", f"{cut}, while axis {axis} was moving", line))
+    scheduler = run.machine.scheduler
+    is_over = bool(repeated) or run.status != "until" or scheduler is None or scheduler.is_over()
+    if not found and not is_over:
+        hint = "let the program end, or repeat its cycle"
+        found.append(Diagnostic("beyond-limit", f"{cut}, before the program ended", hint=hint))
     return found
 
 

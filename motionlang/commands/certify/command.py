@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import ClassVar
 
 from motionlang.cli.command import argument
@@ -34,7 +35,8 @@ class Certify(Prove):
 Each axis is checked against [axis.N.limits] of the machine file, and a table to
 sign is printed; the motion is verified, too.
 
-exit status: 1 if a limit is exceeded or none is given, or as in run
+exit status: 1 if a limit is exceeded, an axis that moved has none, or the run
+was cut off in its motion; or as in run
 
 examples:
   motionlang certify pick.mnt
@@ -110,9 +112,7 @@ examples:
 def certify(result: Result, machine: str | None) -> list[CertifiedLimit]:
     """Return the certificate of a run; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
-    result.diagnostics += violations(
-        lines, missing_limits(result.source.name, machine, result.dialect.first_axis)
-    )
+    result.diagnostics += violations(result, lines, partial(missing_limits, result.source.name, machine))
     return lines
 
 

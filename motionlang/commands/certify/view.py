@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from hashlib import sha256
 from math import inf
 
-from motionlang.commands.certify import CertifiedLimit
+from motionlang.commands.certify import CertifiedLimit, omissions
 from motionlang.commands.prove.checker import Proof
 from motionlang.kernel import Run
 from motionlang.kernel.tools import count_of
@@ -47,7 +47,8 @@ def certificate_lines(
 ) -> list[str]:
     """Return the certificate as lines.
 
-    It has the table, the proof of the motion, the digests of the certified inputs and a signature line.
+    It has the table, the proof of the motion, the digests of the certified inputs and a signature line, or, if the run
+    does not cover all motion, what is missing.
     """
     within = sum(line.verdict == "within" for line in lines)
     out = [styled(f"limits of {run.source.name}", "bold", colour)]
@@ -61,8 +62,8 @@ def certificate_lines(
     out.append(
         f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
     )
-    out += ["", "checked by ______________________________   date ______________"]
-    return out
+    missing = [f"not complete: {each}" for each in omissions(run, lines)]
+    return [*out, "", *(missing or ["checked by ______________________________   date ______________"])]
 
 
 def _zeros(run: Run, lines: Sequence[CertifiedLimit]) -> list[str]:

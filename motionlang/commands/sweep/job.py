@@ -6,6 +6,7 @@ A job is sent to other processes and machines; each of them computes the expensi
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from hashlib import sha256
 from time import perf_counter
 from typing import Any
@@ -178,7 +179,7 @@ class SweepWorker:
             diagnostics += proof(found).violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
-            diagnostics += violations(lines, missing_limits("", "the machine file", self._dialect.first_axis))
+            diagnostics += violations(found, lines, partial(missing_limits, "", "the machine file"))
         return problem_of(diagnostics) if diagnostics else None
 
 

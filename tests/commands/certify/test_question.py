@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from motionlang import certify, run
-from motionlang.commands.certify import CertifiedLimit, least_margin, violations
+from motionlang.commands.certify import CertifiedLimit, least_margin, omissions, violations
 from motionlang.commands.quantities import values_of
 from motionlang.kernel import Run, Source, settings_next_to
 
@@ -222,10 +222,13 @@ def test_the_peaks_of_a_motor_are_those_of_its_trace() -> None:
     assert values_of(still, ["rms_torque.0", "time"]) == {"rms_torque.0": 0.0, "time": 0.0}
 
 
-def certified(limits: Mapping[str, object]) -> list[CertifiedLimit]:
+def moved(limits: Mapping[str, object]) -> Run:
     settings = {f"axis.0.limits.{name}": value for name, value in limits.items()}
-    result = run(Source("m.mnt", SET + "\nMOVEA(0) = 40\nGO(0) : PAUSE IDLE(0)"), machine=settings)
-    return certify(result)
+    return run(Source("m.mnt", SET + "\nMOVEA(0) = 40\nGO(0) : PAUSE IDLE(0)"), machine=settings)
+
+
+def certified(limits: Mapping[str, object]) -> list[CertifiedLimit]:
+    return certify(moved(limits))
 
 
 def test_a_certificate_says_when_and_on_which_line_and_what_is_left() -> None:
@@ -243,12 +246,54 @@ def test_what_prevents_signing_is_reported() -> None:
         ({"jerk": 1e9}, "the jerk of axis 0 is infinite at 0.0000"),
         ({}, "nothing to certify: the machine has no limits"),
     ):
-        lines = certified(limits) if limits else []
-        (found,) = violations(lines, "")
+        result = moved(limits)
+        (found,) = violations(result, certify(result) if limits else [], str)
         assert found.message.startswith(expected)
         assert found.code == "beyond-limit"
-    lines = certified({"speed": 100.0, "acceleration": 1000.0, "position": [0.0, 40.0]})
-    assert violations(lines, "") == []
+    result = moved({"speed": 100.0, "acceleration": 1000.0, "position": [0.0, 40.0]})
+    assert violations(result, certify(result), str) == []
+
+
+GO_THERE = "MOVER(0) = 50 : GO(0) : PAUSE IDLE(0)\n"
+TO_AND_FRO = f"Loop\n{GO_THERE}MOVER(0) = -50 : GO(0) : PAUSE IDLE(0)\nWAIT = 200\nEnd Loop\n"
+# The program, when its run is cut off, and what its certificate does not cover; only the speed of axis 0 has a limit.
+UNCOVERED: dict[str, tuple[str, float | None, list[str]]] = {
+    "an axis without limits": (f"{GO_THERE}JOG(1) = 10\nWAIT = 9\nSTOP(1)\n", None, ["axis 1 moved and has no limits"]),
+    "an axis without limits that rests": (f"{GO_THERE}POS(1) = 10\n", None, []),
+    "a follower without limits": (
+        f"FOLLOW(1) = 1\n{GO_THERE}FOLLOW(1) = 0\n", None, ["axis 1 moved and has no limits"]),
+    "a cut move": (GO_THERE, 0.2, ["the run was cut off at 0.2 s, while axis 0 was moving"]),
+    "a move that a pause follows": (
+        f"{GO_THERE}WAIT = 500\n{GO_THERE}", 0.8, ["the run was cut off at 0.8 s, before the program ended"]),
+    "the first cycle": (TO_AND_FRO, 0.2, ["the run was cut off at 0.2 s, while axis 0 was moving"]),
+    "the last of many cycles": (TO_AND_FRO, 20.3, []),
+    "a move that is no part of the cycle": (
+        f"Run Far\n{TO_AND_FRO}Task Far\nMOVER(1) = 1e6 : GO(1)\nEnd Task\n", 20.3, [
+            "axis 1 moved and has no limits", "the run was cut off at 20.3 s, while axis 1 was moving"]),
+    "a jog at its speed": ("JOG(0) = 50\n", 20.0, []),
+    "a jog that accelerates": ("JOG(0) = 50\n", 0.01, ["the run was cut off at 0.01 s, while axis 0 was moving"]),
+    "a hang": (f"{GO_THERE}While POS(0) < 51\nWAIT = 10\nEnd While\n", None, ["the run hangs at line 3"]),
+    "an error": (f"{GO_THERE}PRINT 1 / (POS(0) - 50)\n", None, ["the run failed at 0.65005 s"]),
+    "a loop that has served its events": (f"{GO_THERE}Loop\nEnd Loop\nEvent IN1\n{GO_THERE}End Event\n", 9.0, []),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", UNCOVERED)
+def test_a_certificate_says_what_it_does_not_cover(what: str) -> None:
+    program, until, expected = UNCOVERED[what]
+    result = run(Source("m.mnt", f"{SET}\n{program}"), machine={"axis.0.limits.speed": 100.0}, until=until)
+    lines = certify(result)
+    assert omissions(result, lines) == expected
+    # A run that failed has its own error.
+    found = [each.message for each in violations(result, lines, lambda axis: f"limits of {axis}")]
+    assert found == ([] if result.status == "fault" else expected)
+
+
+def test_a_jog_that_goes_on_has_no_extreme_of_position() -> None:
+    result = run(
+        Source("m.mnt", f"{SET}\nJOG(0) = 50\n"), machine={"axis.0.limits.position": [-1, 1e9]}, until=20.0
+    )
+    assert omissions(result, certify(result)) == ["the run was cut off at 20 s, while axis 0 was moving"]
 
 
 def at(value: float, time: float) -> Any:
