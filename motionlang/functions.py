@@ -138,7 +138,7 @@ def profile(program: Program | Run) -> TimeProfile:
     """Return how the time of a run is spent, along the critical path.
 
     The time is split by line, sub, cause and axis. `program` is a `Run`, or a program to run first. All times are
-    seconds. Raises the errors of `run`.
+    seconds. Raises ProgramError for a program with errors, and the errors of `run`.
     """
     from motionlang.commands.profile.profile import TimeProfile
 
@@ -202,7 +202,8 @@ def diff(old: Side, new: Side, *tolerances: str) -> Difference:
     It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program to run first.
     Moves, prints and events are aligned by content, so an inserted line is not a difference. `tolerances` are texts
     such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. Raises
-    ValueError for a wrong tolerance or a report of an unknown version, and the errors of `run`.
+    ValueError for a wrong tolerance or a report of an unknown version, ProgramError for a program with errors, and the
+    errors of `run`.
     """
     from motionlang.commands.diff.reports import checked, difference
     from motionlang.commands.diff.tolerance import Tolerance
@@ -225,8 +226,9 @@ def compare(
     `recording` is the path of a text file with a table. `mapping` gives columns a meaning: {"time": "t*0.001",
     "position.0": "PosAct"}; a factor converts their numbers to seconds or user units (uu). `tolerances` are the
     largest residuals allowed, uu, by "position" or "position.0". `delay` is the delay of the recording relative to the
-    run, in seconds; without it the delay is determined from the data. Raises ProgramError if there is nothing to
-    compare, ValueError for a wrong mapping, OSError if a file cannot be read, and the errors of `run`.
+    run, in seconds; without it the delay is determined from the data. Raises ProgramError for a program with errors, or
+    if there is nothing to compare, ValueError for a wrong mapping, OSError if a file cannot be read, and the errors of
+    `run`.
     """
     from motionlang.commands.compare.comparison import Mapped, compare
 
@@ -247,8 +249,9 @@ def certify(program: Program | Run) -> list[CertifiedLimit]:
     """Return how far a run used each limit of its machine file.
 
     The result has an entry for each limit of each axis. `program` is a `Run`, or a program to run first. An entry has
-    `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". Raises ValueError if the
-    machine file has no limits, and the errors of `run`.
+    `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". An axis without limits has
+    no entry. Raises ValueError if the machine file has no limits, ProgramError for a program with errors, and the
+    errors of `run`.
     """
     from motionlang.commands.certify import LIMITS, certificate
 
@@ -293,14 +296,19 @@ def prove(program: Program | Run) -> Proof:
 
 
 def _run_of(program: Program | Run) -> Run:
-    return program if isinstance(program, Run) else run(program)
+    """Return a run, or that of a program; ProgramError if the program has errors, so that there is nothing to run."""
+    if isinstance(program, Run):
+        return program
+    result = run(program)
+    errors = [each for each in result.diagnostics if each.severity == "error"]
+    if result.program is None and errors:
+        raise ProgramError(errors)
+    return result
 
 
 def _report_of(side: Side) -> dict[str, object]:
-    if isinstance(side, Run):
-        return side.report
-    if isinstance(side, str | os.PathLike | Source):
-        return run(side).report
+    if isinstance(side, Run | str | os.PathLike | Source):
+        return _run_of(side).report
     return dict(side)
 
 

@@ -100,6 +100,28 @@ def test_the_text_of_a_program_error_has_its_lines() -> None:
     assert "; line 3: " in str(raised.value)
 
 
+WRONG = Source("wrong.mnt", "PRINT 1\nIf x\nPRINT )\n")
+ERRORS = "line 2: `If` is never closed; "
+
+
+@pytest.mark.parametrize(
+    "name", ["certify", "compare", "cover", "diff", "explore", "improve", "map", "profile"]
+)
+def test_a_program_with_errors_is_a_program_error_with_its_lines(name: str) -> None:
+    call = getattr(motionlang, name)
+    others = {"compare": [FEED], "diff": [FEED]}
+    with pytest.raises(motionlang.ProgramError, match=ERRORS):
+        call(WRONG, *others.get(name, []))
+
+
+def test_a_run_has_the_errors_of_its_program() -> None:
+    result = motionlang.run(WRONG)
+    assert {each.line for each in result.diagnostics} == {2, 3}
+    assert motionlang.diff(result, result).same
+    failed = Source("fails.mnt", "Dim z\nPRINT 1 / z\n")
+    assert motionlang.diff(failed, failed).same
+
+
 @pytest.mark.parametrize("name", sorted(CALLS.keys() - PLAIN))
 def test_a_docstring_names_the_errors(name: str) -> None:
     assert "aise" in str(inspect.getdoc(getattr(motionlang, name)))
