@@ -84,6 +84,19 @@ def allowed(text: str) -> frozenset[str]:
     return names
 
 
+def among(*names: str) -> Callable[[str], frozenset[str]]:
+    """Return a reader of some of these names, separated by commas."""
+
+    def read(text: str) -> frozenset[str]:
+        found = frozenset(each.strip() for each in text.split(","))
+        unknown = sorted(found.difference(names))
+        if unknown:
+            raise ValueError(f"{unknown[0]!r} is not one of {', '.join(names)}")
+        return found
+
+    return read
+
+
 def axes(text: str) -> tuple[int, ...]:
     """Return the numbers of axes, separated by commas."""
     try:

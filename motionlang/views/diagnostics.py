@@ -121,10 +121,14 @@ def _short(text: str) -> str:
 
 def _lines(text: str, first: int, others: int, width: int) -> list[str]:
     """Return a text in lines without their indents, of `first` columns and, from the second line, of `others`."""
-    text = _short(text)
-    if first + len(text) <= width:
-        return [text]
-    return [line.lstrip() for line in wrap(" " * first + text, width, subsequent_indent=" " * others)]
+    found: list[str] = []
+    for line in map(_short, text.split("\n")):
+        indent = " " * (others if found else first)
+        if len(indent) + len(line) <= width:
+            found.append(line)
+        else:
+            found += [each.lstrip() for each in wrap(indent + line, width, subsequent_indent=" " * others)]
+    return found
 
 
 def _excerpt(diagnostic: Diagnostic, line: str, gutter: int, colour: bool, width: int) -> list[str]:

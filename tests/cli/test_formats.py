@@ -37,6 +37,33 @@ def test_sarif(cell: Cell) -> None:
     }
 
 
+def uris(document: str) -> list[str]:
+    """Return the URI of each result of a SARIF document."""
+    results = json.loads(document)["runs"][0]["results"]
+    return [each["locations"][0]["physicalLocation"]["artifactLocation"]["uri"] for each in results]
+
+
+def test_sarif_has_uris(cell: Cell) -> None:
+    (cell.folder / "e08 #1").mkdir()
+    path = cell.write("e08 #1/Kühl 50%.mnt", "PRINT )\n")
+    escaped = "e08%20%231/K%C3%BChl%2050%25.mnt"
+    assert uris(cell("check", "e08 #1", "--format", "sarif").out) == [escaped]
+    assert uris(cell("check", str(path), "--format", "sarif").out) == [path.as_uri()]
+    assert path.as_uri().endswith(escaped)
+
+
+def test_junit_keeps_line_ends(cell: Cell) -> None:
+    cell.write("a.mnt", 'PRINT "a"\n')
+    cell("verify", "a.mnt", "--update")
+    cell.write("a.mnt", 'PRINT "b"\nPRINT "c"\n')
+    failure = ElementTree.fromstring(cell("verify", "a.mnt", "--format", "junit").out).find(".//failure")
+    assert failure is not None
+    assert failure.text is not None
+    assert "\u240a" not in failure.text
+    assert failure.text.splitlines()[:2] == [
+        "error[golden]: a.mnt: differs", "    time: 0.000010 → 0.000020 s (+0.000010 s, +100 %)"]  # fmt: skip
+
+
 def test_junit_counts_files(cell: Cell) -> None:
     cell.write("idle.mnt", SPARE)
     root = ElementTree.fromstring(

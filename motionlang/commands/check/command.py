@@ -135,10 +135,7 @@ examples:
         jobs = 1 if STDIN in files else self.jobs
         work = partial(_checked_and_fixed, replace(self))  # a copy without its parser, for other processes
         for file, checked in zip(files, in_parallel(work, files, jobs), strict=True):
-            name = STDIN_NAME if file == STDIN else file
-            is_about_machine = checked.source is not None and checked.source.name != name_of(file)
-            path = (machine_of(file, self.machine) or name) if is_about_machine else name
-            findings.append(Found(name, checked.diagnostics, checked.source, path, self.strict))
+            findings.append(_found(self, file, checked))
             self._report(checked, findings[-1])
         if self.format in ("json", "csv"):
             self.show(self._document(findings), "")
@@ -211,6 +208,20 @@ examples:
             return text
         among = len(checked.diagnostics)
         return f"{text}; --fix corrects {'it' if among == 1 else count if count < among else 'all'}"
+
+
+def findings_of(file: str) -> Found:
+    """Return the errors and warnings of a program on the machine of the file next to it."""
+    options = Check()
+    return _found(options, file, _checked(options, file)[0])
+
+
+def _found(options: Check, file: str, checked: CheckedFile) -> Found:
+    """Return the findings about a file, which are possibly about its machine file."""
+    name = STDIN_NAME if file == STDIN else file
+    is_about_machine = checked.source is not None and checked.source.name != name_of(file)
+    path = (machine_of(file, options.machine) or name) if is_about_machine else name
+    return Found(name, checked.diagnostics, checked.source, path, options.strict)
 
 
 def _by_file(name: str, keys: Sequence[str], found: Sequence[tuple[str, object]]) -> Table:

@@ -6,7 +6,10 @@ The formats are SARIF, JUnit XML and GitHub workflow commands.
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
+from pathlib import PurePath
+from urllib.parse import quote
 
 from motionlang.kernel import CODES, Diagnostic, Source
 from motionlang.kernel.version import __version__
@@ -19,10 +22,11 @@ SARIF = "https://json.schemastore.org/sarif-2.1.0.json"
 class Found:
     """The diagnostics of one file.
 
-    `path` is the file that they refer to, possibly the machine file. `strict` counts warnings as errors.
+    `path` is the file that they refer to, possibly the machine file. `strict` counts warnings as errors. `command` is
+    that which found them, if it is not the one that is run.
     """
 
-    __slots__ = ("diagnostics", "file", "is_wrong", "path", "source")
+    __slots__ = ("command", "diagnostics", "file", "is_wrong", "path", "source")
 
     def __init__(
         self,
@@ -31,7 +35,9 @@ class Found:
         source: Source | None = None,
         path: str = "",
         strict: bool = False,
+        command: str = "",
     ) -> None:
+        self.command = command
         self.file, self.diagnostics, self.source, self.path = file, diagnostics, source, path or file
         self.is_wrong = any(strict or each.severity == "error" for each in diagnostics)
 
@@ -58,7 +64,7 @@ def _sarif(found: Sequence[Found], command: str) -> str:
 
 
 def _result(file: str, one: Diagnostic) -> dict[str, object]:
-    location: dict[str, object] = {"artifactLocation": {"uri": file.replace("\\", "/")}}
+    location: dict[str, object] = {"artifactLocation": {"uri": _uri(file)}}
     if one.line:
         location["region"] = {"startLine": one.line}
         if one.column:
@@ -73,8 +79,14 @@ def _result(file: str, one: Diagnostic) -> dict[str, object]:
     }
 
 
+def _uri(path: str) -> str:
+    """Return the URI of a file: relative, or `file:///…` for an absolute path."""
+    pure = PurePath(path)
+    return pure.as_uri() if pure.is_absolute() else quote(os.fsencode(pure.as_posix()))
+
+
 def _junit(found: Sequence[Found], command: str) -> str:
-    """Return one test case per file.
+    """Return one test case per file and command.
 
     A file with an error is a failure; warnings are its output.
     """
@@ -83,7 +95,8 @@ def _junit(found: Sequence[Found], command: str) -> str:
     head = f'name={name} tests="{len(found)}" failures="{len(wrong)}"'
     lines = ['<?xml version="1.0" encoding="utf-8"?>', f"<testsuites {head}>", f"<testsuite {head}>"]
     for each in found:
-        lines.append(f"<testcase classname={name} name={quoteattr(_xml(each.file))}>")
+        classname = quoteattr(f"motionlang {each.command or command}")
+        lines.append(f"<testcase classname={classname} name={quoteattr(_xml(each.file))}>")
         text = "\n".join(render(one, each.source, name=each.path) for one in each.diagnostics)
         if each.is_wrong:
             lines.append(

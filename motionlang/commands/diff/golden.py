@@ -37,8 +37,8 @@ def differences(program: str, result: Run) -> list[str]:
     found = diff_lines(difference(expected, json.loads(text(result, whole=False))), most=MAX_DIFFERENCES)
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
-            lines = file.read()
-        if lines != _lines(result.output) and expected.get("output") == result.output:
+            lines = file.read().replace("\r\n", "\n")  # which Git for Windows writes
+        if lines != _lines(result.output).replace("\r\n", "\n") and expected.get("output") == result.output:
             found.append(f"the printed output differs from {os.path.basename(printed)}")
     return found
 

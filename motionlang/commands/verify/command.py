@@ -5,31 +5,42 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import ClassVar
 
-from motionlang.cli.command import WrongOption, argument, flag
+from motionlang.cli.command import WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
-from motionlang.cli.crash import crash
 from motionlang.cli.option_groups import Findings, Jobs
 from motionlang.cli.program_files import programs
+from motionlang.cli.readers import among
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.scenarios import Scenario, unmet
-from motionlang.commands.verify.further import expectations, further_checks, further_files
+from motionlang.commands.verify.further import (
+    check_limits,
+    check_text,
+    expectations,
+    further_checks,
+    further_files,
+    has_limits,
+    ran,
+)
 from motionlang.commands.verify.log import verify_log
 from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel import ProgramError, Run, Source, dialect_of, machine_of, run, settings_next_to
+from motionlang.kernel import ProgramError, Run, dialect_of, run, settings_next_to
+from motionlang.kernel.tools import need
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
 
-KINDS = ("program", "scenario", "sweep", "log")
+KINDS = ("check", "program", "scenario", "sweep", "log", "certificate")
+# The commands whose findings another format names in place of verify.
+COMMANDS = {"check": "check", "certificate": "certify"}
 LOG_SUFFIX = ".mcapi-log"
 NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
@@ -47,9 +58,26 @@ The golden files of pick.mnt are pick.golden.json, with its report, and
 pick.golden.txt, with its output. A log of calls, host.mcapi-log, must replay
 without a difference. Without golden files, [[expect]] entries, scenarios and a
 sweep are checked; a program with nothing to check is an error.
+
+With --also check,certify one command does what a pipeline needs: the errors and
+warnings of each text, the golden files and scenarios, and the certificate of
+each machine with limits.
+
+exit status: 0 all pass; 1 something differs, is missing or has an error;
+2 the command line is invalid, or --review got no answer
+
+examples:
+  motionlang verify programs
+  motionlang verify --also check,certify programs --format github
 """
     paths: list[str] = argument(
         "PATH", "programs, or folders of programs; default: this folder", many=True, default=["."]
+    )
+    also: frozenset[str] = option(
+        "WHAT,…",
+        "check: report errors and warnings of the text; certify: certify the programs whose machine has limits",
+        read=among("check", "certify"),
+        default=frozenset(),
     )
     update: bool = flag("rewrite the golden files that differ")
     review: bool = flag("ask whether to accept each change")
@@ -58,14 +86,18 @@ sweep are checked; a program with nothing to check is an error.
         super().check()
         if self.review and (self.update or self.format != "text"):
             raise WrongOption("--review cannot be combined with --update or --format")
+        if self.also and (self.review or self.update):
+            raise WrongOption("--also cannot be combined with --review or --update, which write golden files")
 
     def run(self) -> int:
+        if "certify" in self.also:
+            need("motionlang verify --also certify", "numpy")
         found = programs(self.paths, LOG_SUFFIX)
         if not found:
             sys.stderr.write(f"no programs in {', '.join(self.paths)}\n")
             return 1
         form, verdicts, quits = self.format, list[Verdict](), False
-        for each in in_parallel(partial(_verdicts_of, self.update), found, self.jobs):
+        for each in in_parallel(partial(_verdicts_of, self.update, self.also), found, self.jobs):
             for verdict in each:
                 verdicts.append(verdict)
                 if form in ("text", "json", "csv"):
@@ -82,13 +114,20 @@ sweep are checked; a program with nothing to check is an error.
                         return 2
         if form == "text" and not self.quiet:
             good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
-            what = "match their golden files" if all(each.has_golden for each in verdicts) else "pass"
+            what = (
+                "pass"
+                if self.also or not all(each.has_golden for each in verdicts)
+                else "match their golden files"
+            )
             what = "have current golden files" if self.update else what
             sys.stdout.write(f"{good} {what}\n")
         elif form in ("json", "csv"):
             self.show(_document(verdicts), "")
         elif form not in ("text", "none"):
-            document = [Found(each.name, each.findings(), each.source, each.path) for each in verdicts]
+            document = [
+                Found(each.name, each.findings(), each.source, each.path, command=COMMANDS.get(each.kind, ""))
+                for each in verdicts
+            ]
             sys.stdout.write(written(document, form, "verify"))
         return 1 if any(each.failed for each in verdicts) else 0
 
@@ -145,27 +184,42 @@ def _document(verdicts: Sequence[Verdict]) -> Document:
     return Document([Table("verdicts", columns, verdicts), diagnostics_table(findings)])
 
 
-def _verdicts_of(rewrite: bool, program: str) -> list[Verdict]:
-    """Return the verdicts of a program, its scenarios and its sweep, or that of a log."""
+def _verdicts_of(rewrite: bool, also: Collection[str], program: str) -> list[Verdict]:
+    """Return the verdicts of a program, its scenarios and its sweep, or that of a log.
+
+    `also` may have "check" and "certify". A text with errors is not run.
+    """
     if program.endswith(LOG_SUFFIX):
         return [verify_log(program)]
-    verdict = Verdict(program)
+    verdict, found = Verdict(program), list[Verdict]()
     if _is_readable(verdict):
-        (_update if rewrite else _verify)(verdict)
-    return [verdict, *further_checks(program, rewrite)]
+        found = [check_text(program)] if "check" in also else []
+        if any(each.failed for each in found):
+            verdict.fail("not run, since its text or its machine file has errors")
+            return [*found, verdict]
+        if rewrite:
+            _update(verdict)
+        else:
+            _verify(verdict, also)
+    found += [verdict, *further_checks(program, rewrite)]
+    return [*found, check_limits(program)] if "certify" in also and has_limits(program) else found
 
 
-def _verify(verdict: Verdict) -> None:
+def _verify(verdict: Verdict, also: Collection[str]) -> None:
     report, _ = golden_files(verdict.name)
     is_golden = os.path.exists(report)
     result = _ran(verdict) if is_golden or _expects(verdict.name) else None
     if not is_golden:
         missing = f"no {os.path.basename(report)} next to it"
-        checked = ["its [[expect]] entries"] * (result is not None) + further_files(verdict.name)
+        checked = ["its text"] * ("check" in also) + ["its [[expect]] entries"] * (result is not None)
+        checked += further_files(verdict.name)
+        checked += ["its limits"] * ("certify" in also and has_limits(verdict.name))
         verdict.has_golden = not checked
         if checked:
-            are = "is" if checked in (["1 scenario"], ["a sweep"]) else "are"
-            verdict.lines.append(f"{verdict.name}: {missing}; only {' and '.join(checked)} {are} checked")
+            are = "is" if checked in (["its text"], ["1 scenario"], ["a sweep"]) else "are"
+            *others, last = checked
+            listed = f"{', '.join(others)} and {last}" if others else last
+            verdict.lines.append(f"{verdict.name}: {missing}; only {listed} {are} checked")
         elif not verdict.failed:
             verdict.fail(f"{missing}; --update writes one")
         if result is not None:
@@ -206,21 +260,9 @@ def _update(verdict: Verdict) -> None:
 
 
 def _ran(verdict: Verdict) -> Run | None:
-    """Return the run of a program; None if it or its machine file cannot be read."""
-    program = verdict.name
-    try:
-        result = within_budget(run(program))
-    except OSError as error:
-        verdict.refuse([unreadable(str(error.filename or program), error)])
-    except ProgramError as error:
-        machine = machine_of(program)
-        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
-    except Exception as error:  # an internal error must not skip the programs after it
-        verdict.refuse([crash(error, (program,))])
-    else:
-        SIGNALS.end_with(result)
-        return result
-    return None
+    """Return the run of a program within the budget of its machine file; None if it cannot be read."""
+    result = ran(verdict)
+    return None if result is None else within_budget(result)
 
 
 def _is_readable(verdict: Verdict) -> bool:

@@ -1,4 +1,4 @@
-"""Further checks of `motionlang verify`: expectations, scenarios, sweep."""
+"""Further checks of `motionlang verify`: the text, expectations, scenarios, sweep, limits."""
 
 from __future__ import annotations
 
@@ -8,14 +8,18 @@ import os
 from collections.abc import Callable
 
 from motionlang.cli.complaints import unreadable, unwritten
+from motionlang.cli.crash import crash
 from motionlang.cli.signals import SIGNALS
+from motionlang.commands.certify.command import certify
+from motionlang.commands.check.command import findings_of
 from motionlang.commands.diff.golden import differences, golden_files, same, update
+from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.scenarios import Scenario, scenario_files, unmet
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel import ProgramError, Run, Source
+from motionlang.kernel import ProgramError, Run, Source, machine_of, run, settings_next_to
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import count_of
 
@@ -41,6 +45,56 @@ def further_files(program: str) -> list[str]:
     if os.path.isfile(os.path.splitext(program)[0] + SWEEP_SUFFIX):
         found.append("a sweep")
     return found
+
+
+def check_text(program: str) -> Verdict:
+    """Check the text of a program, as `motionlang check` does; warnings are no failure."""
+    found = findings_of(program)
+    verdict = Verdict(program, "check")
+    verdict.refuse(list(found.diagnostics), found.source, found.path)
+    verdict.failed = found.is_wrong
+    return verdict
+
+
+def check_limits(program: str) -> Verdict:
+    """Certify the limits of a program's machine, as `motionlang certify` does."""
+    from motionlang.commands.prove.proof import proof  # with NumPy
+
+    verdict = Verdict(program, "certificate")
+    result = ran(verdict, ExpectedMotion)
+    if result is not None:
+        result.diagnostics += proof(result).violations
+        certify(result, machine_of(program))
+        errors = [each for each in result.diagnostics if each.severity == "error"]
+        if errors:
+            verdict.refuse(errors, result.source)
+    return verdict
+
+
+def has_limits(program: str) -> bool:
+    """True if the machine file of a program has limits; False if it cannot be read, which the run reports."""
+    try:
+        return any(".limits." in key for key in settings_next_to(program))
+    except (OSError, ProgramError):
+        return False
+
+
+def ran(verdict: Verdict, listener: type[ExpectedMotion] | None = None) -> Run | None:
+    """Return the run of a program; None if it or its machine file cannot be read."""
+    program = verdict.name
+    try:
+        result = run(program, listener=listener)
+    except OSError as error:
+        verdict.refuse([unreadable(str(error.filename or program), error)])
+    except ProgramError as error:
+        machine = machine_of(program)
+        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
+    except Exception as error:  # an internal error must not skip the programs after it
+        verdict.refuse([crash(error, (program,))])
+    else:
+        SIGNALS.end_with(result)
+        return result
+    return None
 
 
 def expectations(result: Run) -> list[str]:

@@ -14,8 +14,8 @@ from motionlang.kernel import Diagnostic, Source
 class Verdict:
     """A result: `failed`, `lines` to print, and `diagnostics` about the file `path`.
 
-    `kind` is "program", "scenario" or "sweep". `has_golden` is False for a program of which only expectations,
-    scenarios or a sweep are checked.
+    `kind` is "program", "scenario", "sweep", "log", "check" or "certificate". `has_golden` is False for a program of
+    which only expectations, scenarios or a sweep are checked.
     """
 
     def __init__(self, name: str, kind: str = "program") -> None:

@@ -49,6 +49,17 @@ def test_a_difference_is_named_by_its_position(cell: Cell) -> None:
     )
 
 
+def test_line_ends_of_git_for_windows_match(cell: Cell) -> None:
+    cell("verify", "ballscrew.mcl", "--update")
+    for name in ("ballscrew.golden.txt", "ballscrew.golden.json"):
+        path = cell.folder / name
+        path.write_bytes(path.read_bytes().replace(b"\n", b"\r\n"))
+    ran = cell("verify", "ballscrew.mcl")
+    assert (ran.status, ran.out) == (0, "1 of 1 programs match their golden files\n")
+    (cell.folder / "ballscrew.golden.txt").write_bytes(b"01 200.000001\r\n")
+    assert cell("verify", "ballscrew.mcl").status == 1
+
+
 PICK = (
     "SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\nPRINT TIME\n"
 )
