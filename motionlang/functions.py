@@ -30,11 +30,11 @@ if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
     from motionlang.commands.cover import Coverage
     from motionlang.commands.diff.reports import Difference
-    from motionlang.commands.explore import Exploration
     from motionlang.commands.improve import Improvement
     from motionlang.commands.map.program_map import ProgramMap
     from motionlang.commands.profile.profile import TimeProfile
     from motionlang.commands.prove.checker import Proof
+    from motionlang.exploration import Exploration
 
 Program = str | os.PathLike[str] | Source
 
@@ -191,7 +191,7 @@ def explore(program: Program) -> Exploration:
     Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for a program or a
     machine file with errors.
     """
-    from motionlang.commands.explore import explored
+    from motionlang.exploration import explored
 
     return explored(program if isinstance(program, Source) else Source.read(os.fspath(program)))
 

@@ -14,10 +14,10 @@ import pytest
 from lsprotocol import types
 
 from motionlang.cli import main
-from motionlang.commands.explore import explore
 from motionlang.commands.map.behaviour import ReaderNames, behaviour_of
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.view.text import render
+from motionlang.exploration import explore
 from motionlang.ide.lsp.documents import OpenDocument
 from motionlang.ide.lsp.jobs import CHECK, Job, work
 from motionlang.kernel import Source, dialect_of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from motionlang.commands.explore import explore
+from motionlang.exploration import explore
 from motionlang.kernel import Dialect, Source
 
 

@@ -22,10 +22,10 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
-from motionlang.commands.explore import Interrupted, explore, without_world
 from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.scenarios import FOLDER_SUFFIX
 from motionlang.commands.worlds import Event, Worlds
+from motionlang.exploration import Interrupted, explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
 from motionlang.kernel.files import create, replacing
 from motionlang.kernel.tools import count_of

@@ -1,9 +1,8 @@
 """Draft of a machine file: the world in which a program does its work, found by playing it.
 
-A program from a machine waits for a world that no file describes. `commands/explore` plays it: it finds the states in
-which the program waits, what leads on, and the cycle that a person would name, with a world in which it runs. This
-folder writes that world down as a machine file whose entries are marked as guesses, and a scenario for each choice of a
-menu.
+A program from a machine waits for a world that no file describes. The exploration plays it: it finds the states in which
+the program waits, what leads on, and the cycle that a person would name, with a world in which it runs. This folder
+writes that world down as a machine file whose entries are marked as guesses, and a scenario for each choice of a menu.
 """
 
 from __future__ import annotations
@@ -13,7 +12,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from math import fsum
 
-from motionlang.commands.explore import (
+from motionlang.commands.quantities import CYCLE
+from motionlang.exploration import (
     TABLES,
     Change,
     Entry,
@@ -25,7 +25,6 @@ from motionlang.commands.explore import (
     asks,
     entries,
 )
-from motionlang.commands.quantities import CYCLE
 from motionlang.kernel import Run
 
 # The tables of choices.

@@ -18,12 +18,12 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import mapped, recorded
-from motionlang.commands.explore import Entry, Exploration, Interrupted, explore
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
 from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenarios import FOLDER_SUFFIX
+from motionlang.exploration import Entry, Exploration, Interrupted, explore
 from motionlang.kernel import (
     MACHINE_SUFFIX,
     STDIN,

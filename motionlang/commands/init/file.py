@@ -9,11 +9,11 @@ import json
 import os
 from math import ceil, floor, isclose
 
-from motionlang.commands.explore import Entry, Exploration, RestState, Transition, entries
 from motionlang.commands.init import Choice, Draft, cycle_text, ending
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenarios import FOLDER_SUFFIX
+from motionlang.exploration import Entry, Exploration, RestState, Transition, entries
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure, Target
 from motionlang.kernel.report import moves

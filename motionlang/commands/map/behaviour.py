@@ -13,7 +13,10 @@ from functools import partial
 from math import inf
 from operator import attrgetter
 
-from motionlang.commands.explore import (
+from motionlang.commands.map.axes import AxisMap
+from motionlang.commands.map.channels import Channel
+from motionlang.commands.map.units import Reachability
+from motionlang.exploration import (
     Act,
     Change,
     Exploration,
@@ -26,10 +29,7 @@ from motionlang.commands.explore import (
     plain,
     without_figures,
 )
-from motionlang.commands.explore.view import lines_of, statements_of
-from motionlang.commands.map.axes import AxisMap
-from motionlang.commands.map.channels import Channel
-from motionlang.commands.map.units import Reachability
+from motionlang.exploration.view import lines_of, statements_of
 from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
 

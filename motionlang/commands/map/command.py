@@ -12,10 +12,10 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.parser import either
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.explore import Interrupted
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
 from motionlang.commands.map.view.text import render, unit_text
+from motionlang.exploration import Interrupted
 from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest

@@ -32,10 +32,10 @@ from math import ceil, inf
 from operator import itemgetter
 from time import monotonic
 
-from motionlang.commands.explore import Change
-from motionlang.commands.explore.trials import tables_of
 from motionlang.commands.panel.pace import PlayPace
 from motionlang.commands.panel.rest import SHADOW, PanelWait, RestWatch
+from motionlang.exploration import Change
+from motionlang.exploration.trials import tables_of
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
 
 # Changes are made at multiples of 1 / so many seconds.

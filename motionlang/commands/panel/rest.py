@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.rests import SHORTEST
+from motionlang.exploration.rests import SHORTEST
 from motionlang.kernel import Dialect, Hook, Machine, Program, Task, Wait
 from motionlang.kernel.lang import READ, ChannelUse, Statement
 

@@ -6,13 +6,13 @@ from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import Any
 
-from motionlang.commands.explore import plain
 from motionlang.commands.map.axes import axes
 from motionlang.commands.map.channels import Channel
 from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.rest import SHADOW, TABLE_OF, seeking, tasks_of
 from motionlang.commands.panel.rule import in_words
+from motionlang.exploration import plain
 from motionlang.kernel import Dialect, Machine, Program, Rejected, Run, dialect
 from motionlang.kernel.controller import fault_names
 

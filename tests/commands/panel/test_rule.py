@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.commands.explore import Change
 from motionlang.commands.panel.rule import in_words, rules
+from motionlang.exploration import Change
 from motionlang.kernel import Machine
 
 # Output 1 is on from 1 to 2 s, and again from 4 to 5 s.

@@ -14,7 +14,6 @@ from dataclasses import replace
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore import TABLES, Entry, entries
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import inline
 from motionlang.commands.init.recorded.axes import axis_remarks, stroke_clock, switches
@@ -38,6 +37,7 @@ from motionlang.commands.init.recorded.recording import (
 )
 from motionlang.commands.init.recorded.rules import MeasuredRule, rule_of
 from motionlang.commands.init.recorded.unrecorded import Tables, fitted, in_words, subject
+from motionlang.exploration import TABLES, Entry, entries
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.tools import count_of
 

@@ -29,7 +29,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.explore import Entry
 from motionlang.commands.init.recorded.recording import (
     Digital,
     MeasuredRecording,
@@ -39,6 +38,7 @@ from motionlang.commands.init.recorded.recording import (
     slopes,
     window_of,
 )
+from motionlang.exploration import Entry
 
 Array = NDArray[np.float64]
 

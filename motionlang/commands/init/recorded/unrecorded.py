@@ -24,9 +24,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from motionlang.commands.explore import TABLES, Entry
 from motionlang.commands.init.recorded.outcome import OutcomeMark, matched, near
 from motionlang.commands.init.recorded.recording import MeasuredRecording
+from motionlang.exploration import TABLES, Entry
 from motionlang.kernel import Run
 from motionlang.kernel.lang import DRIVES
 

@@ -12,9 +12,9 @@ from math import inf
 from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
-from motionlang.commands.explore.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
-from motionlang.commands.explore.switches import FoundSwitches
-from motionlang.commands.explore.trials import (
+from motionlang.exploration.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
+from motionlang.exploration.switches import FoundSwitches
+from motionlang.exploration.trials import (
     AT_REST,
     HANDLERS,
     Act,
@@ -30,7 +30,7 @@ from motionlang.commands.explore.trials import (
     plain,
     without_figures,
 )
-from motionlang.commands.explore.values import (
+from motionlang.exploration.values import (
     ANSWERS,
     compared_in,
     counts,

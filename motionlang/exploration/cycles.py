@@ -11,8 +11,8 @@ from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from motionlang.commands.explore.rests import RestState
-from motionlang.commands.explore.search import StateNode, Transition, Visit, Work
+from motionlang.exploration.rests import RestState
+from motionlang.exploration.search import StateNode, Transition, Visit, Work
 
 # The longest cycle, in transitions, and the largest number of cycles that are compared.
 MAX_LENGTH, MAX_CYCLES = 8, 20_000

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
-from motionlang.commands.explore.cycles import MachineCycle
-from motionlang.commands.explore.rests import RestState, TaskRest
-from motionlang.commands.explore.search import StateNode, Transition
-from motionlang.commands.explore.trials import in_words
-from motionlang.commands.explore.world import FoundWorld
+from motionlang.exploration.cycles import MachineCycle
+from motionlang.exploration.rests import RestState, TaskRest
+from motionlang.exploration.search import StateNode, Transition
+from motionlang.exploration.trials import in_words
+from motionlang.exploration.world import FoundWorld
 from motionlang.kernel import Program
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import count_of, ranges

@@ -13,7 +13,7 @@ from itertools import pairwise
 from math import inf, isfinite
 from typing import TypeAlias
 
-from motionlang.commands.explore.trials import REGISTERS, TABLES, Change, Trial
+from motionlang.exploration.trials import REGISTERS, TABLES, Change, Trial
 from motionlang.kernel import Program
 from motionlang.kernel.lang import DRIVES
 

@@ -21,10 +21,10 @@ from itertools import pairwise
 from math import fsum, inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.cycles import MachineCycle
-from motionlang.commands.explore.rests import BODY, Rest, RestState
-from motionlang.commands.explore.search import DELAY, Causes, Explorer, delay
-from motionlang.commands.explore.trials import (
+from motionlang.exploration.cycles import MachineCycle
+from motionlang.exploration.rests import BODY, Rest, RestState
+from motionlang.exploration.search import DELAY, Causes, Explorer, delay
+from motionlang.exploration.trials import (
     AT_REST,
     HANDLERS,
     Change,
@@ -40,7 +40,7 @@ from motionlang.commands.explore.trials import (
     tables_of,
     without_figures,
 )
-from motionlang.commands.explore.values import written
+from motionlang.exploration.values import written
 from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
 

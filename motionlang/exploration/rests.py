@@ -10,7 +10,7 @@ from itertools import accumulate, chain, pairwise
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.explore.trials import HANDLERS, Begun, Trial, TrialMotion
+from motionlang.exploration.trials import HANDLERS, Begun, Trial, TrialMotion
 
 # What begins so soon after another statement of a loop belongs to it, s.
 BODY = 0.1

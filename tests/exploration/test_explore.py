@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import motionlang
-from motionlang.commands.explore import Interrupted, explore
+from motionlang.exploration import Interrupted, explore
 from motionlang.kernel import Source, dialect_of, run
 from tests.cli.programs import Cell
 

@@ -6,7 +6,7 @@ from math import inf
 
 import pytest
 
-from motionlang.commands.explore.trials import Change, Timeline, Trial, Trials
+from motionlang.exploration.trials import Change, Timeline, Trial, Trials
 from motionlang.kernel import Source, dialect
 
 PROGRAM = """\

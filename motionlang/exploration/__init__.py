@@ -1,0 +1,206 @@
+"""The behaviour of a machine, found by playing: rest states of its program, transitions and cycles.
+
+Problem. A control program waits for its world, and its text does not say what the world should do. Conclusions from
+the text need a form for each way in which a program can be written.
+
+Idea. Nothing is concluded: the program runs. At rest it is in few states: it waits at a statement, or repeats those of
+a loop. From each state each thing that it reads is changed once, and the program runs on to its next rest. What leads
+on is a transition. Transitions that return to a state are a cycle.
+
+    power-up ──► waits in 19 ── input 2 on ──► waits in 22 ── input 3 on ──► waits in 44 ──► …
+                                                                  ▲                            │
+                                                                  └────── input 0 off ─────────┘
+
+Search. The states with the fewest changes come first. A change that leads a state to something new, or moves an axis,
+may depend on the other inputs that are read there, so it is tried again together with each of those. A state that was
+known with an end of its own, and is found as one that lasts, is tried again with its levels. Levels of analogue inputs,
+numbers of a host, Modbus registers and keys come from comparisons: an unusual value is played, and both sides of the
+comparisons that follow are solved for it (`values.py`).
+
+An input that is read while an axis moves, or whose change starts a handler, is changed in the middle of the move, too:
+once for each line that moves an axis and what moves after it. If the comparisons of a program count how often an input
+comes, in a move or at rest, it comes as often as they ask for.
+
+Of a bank of inputs only those count that make a difference to a comparison; they are found by halves.
+
+A question is a state, and an answer is a change; where several tasks rest, their places together are one state.
+Without a choice are the switches of an axis that homes for ever (`switches.py`).
+
+The world of the likeliest cycle that repeats when it is played is then described by simple rules (`world.py`).
+
+Not simulated yet: changes of anything but an input in the middle of a move.
+
+Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
+(`trials.py`). The same program gives the same result, unless the user ends the exploration.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from math import inf
+
+from motionlang.exploration.cycles import MachineCycle, cycles
+from motionlang.exploration.rests import RestState, TaskRest
+from motionlang.exploration.search import MAX_TRIALS, Explorer, StateNode, Transition, Visit
+from motionlang.exploration.trials import (
+    TABLES,
+    Act,
+    Change,
+    Entry,
+    Interrupted,
+    Trial,
+    asks,
+    described,
+    entries,
+    plain,
+    tables_of,
+    without_figures,
+)
+from motionlang.exploration.values import is_probe
+from motionlang.exploration.view import exploration_text
+from motionlang.exploration.world import FoundWorld, played, world_of
+from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, settings_next_to
+
+__all__ = [
+    "TABLES",
+    "Act",
+    "Change",
+    "Entry",
+    "Exploration",
+    "FoundWorld",
+    "Interrupted",
+    "MachineCycle",
+    "RestState",
+    "StateNode",
+    "TaskRest",
+    "Transition",
+    "Visit",
+    "asks",
+    "described",
+    "entries",
+    "explore",
+    "explored",
+    "is_probe",
+    "plain",
+    "tables_of",
+    "without_figures",
+    "without_world",
+]
+
+
+class Exploration:
+    """The states, transitions and cycles that an exploration has found in a program.
+
+    `nodes` are its states with their transitions, power-up first, `cycles` the cycles, the likeliest first and those
+    without motion last, `trials` the number of runs. `world` is that of the first cycle that repeats when it is played.
+    `switches` are those of axes that would home for ever. `is_whole` is False if the budget or the user ended the
+    search; `interrupted` is then the run that Ctrl-C ended.
+    """
+
+    def __init__(self, explorer: Explorer, interrupted: Run | None = None) -> None:
+        self._explorer, self.interrupted = explorer, interrupted
+        self.program = explorer.program
+        self.nodes = list(explorer.nodes.values())
+        self.trials = explorer.trials.count
+        self.is_whole = not explorer.trials.is_over and interrupted is None
+        self.cycles = cycles(explorer.nodes, explorer.working)
+        self.world = self.world_of(self.cycles)
+        self.switches = explorer.switches
+        self.channels = sorted(explorer.channels)
+        # The statements of the tasks beside the work: those that blink, regulate or watch.
+        self.beside = explorer.beside
+        # The axes that each line moves.
+        self.axes = explorer.axes
+
+    def __str__(self) -> str:
+        return exploration_text(self.program, self.nodes, self.trials, self.cycles, self.world)
+
+    @property
+    def begun(self) -> frozenset[int]:
+        """The source offsets of the statements that any trial has carried out."""
+        return frozenset(each for each in self._explorer.trials.seen if isinstance(each, int))
+
+    def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
+        """Return what the tasks that work do in a trial from a time on, in order."""
+        return self._explorer.acts(self._explorer.part(trial, since, inf))
+
+    def world_of(self, likeliest: Sequence[MachineCycle]) -> FoundWorld:
+        """Return the world of the first of some cycles that repeats when it is played."""
+        return world_of(self._explorer, likeliest)
+
+    def world_once(self, cycle: MachineCycle) -> FoundWorld:
+        """Return the world in which a cycle runs once."""
+        return world_of(self._explorer, [cycle], times=1)
+
+    def variants(self) -> Iterator[tuple[MachineCycle, Trial]]:
+        """Yield the cycles with another key or answer, or number of a host, in place of one that leads to the same.
+
+        Each value is played once, in the likeliest cycle that has its transition.
+        """
+        tried: set[tuple[RestState | None, tuple[Change, ...]]] = set()
+        for cycle in self.cycles:
+            for k, each in enumerate(cycle.transitions):
+                for causes in each.variants:
+                    if (each.source, causes) not in tried:
+                        tried.add((each.source, causes))
+                        changed = replace(each, causes=causes)
+                        path = (*cycle.transitions[:k], changed, *cycle.transitions[k + 1 :])
+                        varied = replace(cycle, transitions=path)
+                        yield varied, played(self._explorer, varied, times=1)
+
+    def run(self, settings: Mapping[str, object], until: float) -> Run:
+        """Run the program in the world with some entries of a machine file whose `run.until` is a time, s."""
+        return self._explorer.trials.run_in({**settings, "run.until": until})[0]
+
+    def line(self, at: int) -> int:
+        """Return the line of a source offset."""
+        return self._explorer.line(at)
+
+    def reads(self, state: RestState) -> list[str]:
+        """Return the names of what the statements of a state read, such as "input 3" or "a key"."""
+        return self._explorer.reads(state)
+
+
+def explore(
+    program: Program,
+    machine: Mapping[str, object] | None = None,
+    *,
+    trials: int = MAX_TRIALS,
+    is_over: Callable[[], bool] = lambda: False,
+    progress: Callable[[float], object] = lambda share: None,
+    keeps: bool = False,
+) -> Exploration:
+    """Explore a program, a debug build, in a world with the settings that a person gave, by so many trials.
+
+    It ends earlier where `is_over` returns True. `progress` is called with the share of the trials. Raises Interrupted,
+    with the run, at Ctrl-C; with `keeps` the first one ends the search, and what was found is kept in `interrupted`.
+    """
+    explorer = Explorer(program, machine or {}, trials, is_over, progress)
+    interrupted: Run | None = None
+    try:
+        explorer.explore()
+    except Interrupted as at:
+        if not keeps:
+            raise
+        interrupted = at.result
+    found = Exploration(explorer, interrupted)
+    explorer.progress = lambda share: None  # what is asked of the result is no part of it
+    return found
+
+
+def explored(source: Source) -> Exploration:
+    """Explore a program with the settings of the machine file next to it, but for its inputs, answers and the like.
+
+    Raises ProgramError for a program or a machine file with errors.
+    """
+    settings = without_world(settings_next_to(source.name))
+    program = dialect_for(source, None).program(source, settings, is_debug=True)
+    if program.errors:
+        raise ProgramError(program.errors)
+    return explore(program, settings)
+
+
+def without_world(settings: Mapping[str, object]) -> dict[str, object]:
+    """Return the settings of a machine file without the entries that an exploration finds by itself."""
+    return {key: value for key, value in settings.items() if key not in TABLES}

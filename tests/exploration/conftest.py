@@ -1,0 +1,3 @@
+"""The cell of the test of the command."""
+
+from tests.cell import cell  # noqa: F401
