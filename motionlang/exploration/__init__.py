@@ -41,10 +41,12 @@ from dataclasses import replace
 from math import inf
 
 from motionlang.exploration.cycles import MachineCycle, cycles
-from motionlang.exploration.rests import RestState, TaskRest
+from motionlang.exploration.rests import SHORTEST_REST, RestState, TaskRest
 from motionlang.exploration.search import MAX_TRIALS, Explorer, StateNode, Transition, Visit
+from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import (
     TABLES,
+    TEXTS,
     Act,
     Change,
     Entry,
@@ -53,21 +55,25 @@ from motionlang.exploration.trials import (
     asks,
     described,
     entries,
+    number_in,
     plain,
     tables_of,
     without_figures,
 )
 from motionlang.exploration.values import is_probe
-from motionlang.exploration.view import exploration_text
-from motionlang.exploration.world import FoundWorld, played, world_of
+from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
+from motionlang.exploration.world import FoundWorld, explains, lead, played, world_of
 from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, settings_next_to
 
 __all__ = [
+    "SHORTEST_REST",
     "TABLES",
+    "TEXTS",
     "Act",
     "Change",
     "Entry",
     "Exploration",
+    "FoundSwitches",
     "FoundWorld",
     "Interrupted",
     "MachineCycle",
@@ -77,12 +83,18 @@ __all__ = [
     "Transition",
     "Visit",
     "asks",
+    "causes_of",
     "described",
     "entries",
+    "explains",
     "explore",
     "explored",
     "is_probe",
+    "lead",
+    "lines_of",
+    "number_in",
     "plain",
+    "statements_of",
     "tables_of",
     "without_figures",
     "without_world",

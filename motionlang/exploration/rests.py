@@ -15,7 +15,7 @@ from motionlang.exploration.trials import HANDLERS, Begun, Trial, TrialMotion
 # What begins so soon after another statement of a loop belongs to it, s.
 BODY = 0.1
 # The shortest rest, s.
-SHORTEST = 0.15
+SHORTEST_REST = 0.15
 # A rest that lasts has lasted for so long when a trial ends, s.
 QUIET = 0.4
 
@@ -88,7 +88,7 @@ def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
         if (
             trial.time - each.begin > QUIET
             if is_cut and each.end == inf
-            else each.end - each.begin > SHORTEST
+            else each.end - each.begin > SHORTEST_REST
         )
     ]
 
@@ -110,7 +110,7 @@ def _waits(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
             continue
         known = trial.time + 1.0 if trial.is_stuck and end == inf else min(end, trial.time)
         begin = moves.at_rest(max(wait.since, trial.since), known)
-        if known - begin > SHORTEST:
+        if known - begin > SHORTEST_REST:
             question = trial.question if end == inf and wait.cause == "operator" else None
             yield _Stay(begin, end, TaskRest(wait.task, frozenset((wait.at,)), wait.callers), question)
 
@@ -146,7 +146,7 @@ class _Stretch:
             return False
         if before is not None:
             self._pass = min(self._pass, begun.time - before.time)
-            if not self.is_known and begun.time - self.begin >= SHORTEST:
+            if not self.is_known and begun.time - self.begin >= SHORTEST_REST:
                 self._know(min(before.time, begun.time - BODY))
         self.body[begun.at] = begun
         self.firsts.setdefault(begun.at, begun.time)
@@ -179,7 +179,9 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
     for name, statements in trial.statements.items():
         if name == HANDLERS:
             continue
-        waits = [each for each in trial.waits if each.task == name and each.until - each.since > SHORTEST]
+        waits = [
+            each for each in trial.waits if each.task == name and each.until - each.since > SHORTEST_REST
+        ]
         starts = moves.begins
         stretches = list(_stretches(statements, starts, sorted(each.since for each in waits)))
         ends = [*(each.first for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
@@ -187,7 +189,7 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
             known = min(end, trial.time)
             begin = moves.at_rest(stretch.begin, known)
             loop = stretch.loop(known)
-            if loop and known - begin >= SHORTEST:
+            if loop and known - begin >= SHORTEST_REST:
                 yield _Stay(begin, end, TaskRest(name, loop, stretch.callers))
 
 
@@ -202,7 +204,7 @@ def _stretches(
     time = 0.0
     for begun in statements:
         has_moved = bisect_right(starts, begun.time) > bisect_right(starts, time)
-        is_behind_skip = begun.time - time > SHORTEST and bisect_left(waits, time) == bisect_left(
+        is_behind_skip = begun.time - time > SHORTEST_REST and bisect_left(waits, time) == bisect_left(
             waits, begun.time
         )
         if stretch is None or has_moved or not stretch.take(begun, is_behind_skip):

@@ -12,7 +12,7 @@ from math import inf
 from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
-from motionlang.exploration.rests import BODY, QUIET, SHORTEST, Rest, RestState, rests
+from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import (
     AT_REST,
@@ -487,7 +487,7 @@ class Explorer:
         """Return the inputs that are read while an axis moves, or that start a handler."""
         motions: dict[int, TrialMotion] = {}
         for each in trial.part(since, until).motions:
-            if each.words and each.end - each.begin > SHORTEST:
+            if each.words and each.end - each.begin > SHORTEST_REST:
                 motions.setdefault(each.line, each)
         found = []
         for motion in motions.values():
@@ -558,7 +558,7 @@ class Explorer:
                     source.printed += printed_for(trial, rest.question)
                     if any(each.table == "answer" for each in how):
                         source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
-                is_over |= rest.end < inf and rest.end > back.end - SHORTEST
+                is_over |= rest.end < inf and rest.end > back.end - SHORTEST_REST
                 handled = self._handled(trial, since, rest.end) if how else []
                 if handled:
                     self._link(source, back, how, rest.state, trial, since, max(handled), known, is_over)

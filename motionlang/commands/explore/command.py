@@ -10,8 +10,7 @@ from typing import ClassVar
 from motionlang.cli.command import Refused, argument
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.signals import SIGNALS
-from motionlang.exploration import Exploration, Interrupted, explore, without_world
-from motionlang.exploration.view import causes_of, lines_of
+from motionlang.exploration import Exploration, Interrupted, causes_of, explore, lines_of, without_world
 from motionlang.kernel import ProgramError
 from motionlang.views.progress import Progress
 from motionlang.views.table import Column, Document, Table

@@ -1,8 +1,9 @@
 """Draft of a machine file: the world in which a program does its work, found by playing it.
 
-A program from a machine waits for a world that no file describes. The exploration plays it: it finds the states in which
-the program waits, what leads on, and the cycle that a person would name, with a world in which it runs. This folder
-writes that world down as a machine file whose entries are marked as guesses, and a scenario for each choice of a menu.
+A program from a machine waits for a world that no file describes. The exploration plays it: it finds the states in
+which the program waits, what leads on, and the cycle that a person would name, with a world in which it runs. This
+folder writes that world down as a machine file whose entries are marked as guesses, and a scenario for each choice of a
+menu.
 """
 
 from __future__ import annotations

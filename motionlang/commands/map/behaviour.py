@@ -26,10 +26,11 @@ from motionlang.exploration import (
     described,
     entries,
     is_probe,
+    lines_of,
     plain,
+    statements_of,
     without_figures,
 )
-from motionlang.exploration.view import lines_of, statements_of
 from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
 

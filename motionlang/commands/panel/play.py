@@ -34,8 +34,7 @@ from time import monotonic
 
 from motionlang.commands.panel.pace import PlayPace
 from motionlang.commands.panel.rest import SHADOW, PanelWait, RestWatch
-from motionlang.exploration import Change
-from motionlang.exploration.trials import tables_of
+from motionlang.exploration import Change, tables_of
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
 
 # Changes are made at multiples of 1 / so many seconds.

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from math import inf
 from typing import NamedTuple
 
-from motionlang.exploration.rests import SHORTEST
+from motionlang.exploration import SHORTEST_REST
 from motionlang.kernel import Dialect, Hook, Machine, Program, Task, Wait
 from motionlang.kernel.lang import READ, ChannelUse, Statement
 
@@ -99,7 +99,7 @@ class RestWatch(Hook):
         now = machine.clock.now
         if machine.moves_made != self._moves:
             self._moves, self.news = machine.moves_made, now
-        if now - self.news < SHORTEST or any(
+        if now - self.news < SHORTEST_REST or any(
             now < machine.idle_time(axis) < inf for axis in machine.moving()
         ):
             return False
@@ -136,8 +136,8 @@ class RestWatch(Hook):
         task = self._begun_by.get(at)
         wait = None if task is None else wait_of(machine, task)
         if wait is None or wait.cause != "time":
-            return SHORTEST
-        return max(SHORTEST, 1.5 * self._period.get(at, 0.0))
+            return SHORTEST_REST
+        return max(SHORTEST_REST, 1.5 * self._period.get(at, 0.0))
 
 
 def _tasks(machine: Machine) -> list[Task]:

@@ -11,8 +11,7 @@ from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from math import fsum, inf
 
-from motionlang.exploration import Change, Entry
-from motionlang.exploration.world import explains, lead
+from motionlang.exploration import Change, Entry, explains, lead
 from motionlang.kernel import Machine
 
 # A rule explains so many changes at least, and the output changes so long before them at most, s.

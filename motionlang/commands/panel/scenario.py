@@ -14,8 +14,7 @@ from typing import NamedTuple
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.panel.play import RELEASE, Play, PlayRecord
 from motionlang.commands.scenarios import FOLDER_SUFFIX, Scenario, unmet
-from motionlang.exploration import TABLES, Change, Entry, tables_of
-from motionlang.exploration.trials import number_in
+from motionlang.exploration import TABLES, Change, Entry, number_in, tables_of
 from motionlang.kernel import ProgramError, Run, Source, read_machine, run, settings_next_to
 from motionlang.kernel.files import create
 from motionlang.kernel.lang import layered

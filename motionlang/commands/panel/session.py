@@ -16,9 +16,7 @@ from motionlang.commands.panel.play import in_words as change_in_words
 from motionlang.commands.panel.rule import in_words, rules
 from motionlang.commands.panel.scenario import NotSaved, save
 from motionlang.commands.panel.state import Data, contents, state_of, warnings_of
-from motionlang.exploration import TABLES, Change, Entry
-from motionlang.exploration.switches import FoundSwitches
-from motionlang.exploration.trials import TEXTS, tables_of
+from motionlang.exploration import TABLES, TEXTS, Change, Entry, FoundSwitches, tables_of
 from motionlang.kernel import Program, ProgramError, Run, dialect
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang import first_mistake
