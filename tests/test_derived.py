@@ -152,7 +152,7 @@ def add_command(folder: Path) -> None:
         path.write_text(text, encoding="utf-8")
     row = '        "longest": ("commands.longest.command:Longest", "name the move that takes longest"),\n'
     insert(folder / "motionlang/cli/commands.py", '        "certify": (', row)
-    insert(folder / "pyproject.toml", " | probe | processes", " | longest")
+    insert(folder / "pyproject.toml", " | probe | profile", " | longest")
     insert(folder / "mkdocs.yml", "          - certify:", "          - longest: commands/longest.md\n")
     page = (
         "# longest\n\n`motionlang longest FILE` names one move.\n\n<!-- options: longest -->\n<!-- end -->\n"

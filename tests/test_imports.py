@@ -43,7 +43,7 @@ LAZY = {
     "hosts/client/client.py": "client.virtual",
     "hosts/client/mint.py": "client.virtual",
     "kernel/mint/runtime/task.py": "runtime.errors",
-    "commands/processes/parallel.py": "workers",
+    "processes/parallel.py": "workers",
     "ide/lsp/command.py": "server workers",
 }
 

@@ -17,7 +17,6 @@ from motionlang.commands.check.findings import Found, written
 from motionlang.commands.check.fix import Fixed, Unfixable, fix
 from motionlang.commands.check.steps_view import render_steps, steps_table
 from motionlang.commands.check.tree_view import render_tree
-from motionlang.commands.processes.parallel import in_parallel
 from motionlang.kernel import (
     DEFAULT_AXES,
     STDIN,
@@ -38,6 +37,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.lang import ListedUnit, Literal, listed_units, one_sentence
 from motionlang.kernel.mccl import MODELS
+from motionlang.processes.parallel import in_parallel
 from motionlang.views.diagnostics import diagnostics_table, tally
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled, wants_colour, width_of

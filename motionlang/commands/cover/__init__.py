@@ -11,9 +11,9 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
+from motionlang.commands.cover.worlds import BEGINS, Event, Worlds, conditions
 from motionlang.commands.map.units import Reachability
 from motionlang.commands.scenarios import Scenario, scenario_files
-from motionlang.commands.worlds import BEGINS, Event, Worlds, conditions
 from motionlang.kernel import Dialect, Source, dialect_for, settings_next_to
 from motionlang.kernel.lang import Step, Structure, Values
 

@@ -22,13 +22,13 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
-from motionlang.commands.processes.parallel import in_parallel
+from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.scenarios import FOLDER_SUFFIX
-from motionlang.commands.worlds import Event, Worlds
 from motionlang.exploration import Interrupted, explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
 from motionlang.kernel.files import create, replacing
 from motionlang.kernel.tools import count_of
+from motionlang.processes.parallel import in_parallel
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 

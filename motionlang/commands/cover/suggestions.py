@@ -14,11 +14,11 @@ from textwrap import wrap
 from typing import Any
 
 from motionlang.commands.cover import Coverage, coverage, ranges
+from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.map.program_map import names_in_comments
 from motionlang.commands.scenarios import unmet
-from motionlang.commands.worlds import Event, Worlds
 from motionlang.exploration import TABLES, Change, Entry, Exploration, entries, plain, tables_of
 from motionlang.kernel import Program, ProgramError, Run, Source, read_machine, run
 from motionlang.kernel.lang import layered

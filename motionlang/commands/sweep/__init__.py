@@ -11,13 +11,13 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import Any
 
-from motionlang.commands.processes.cores import cores
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.job import Problem, Result, SweepJob, worker_of
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
 from motionlang.kernel.rows import RowTable, transposed
+from motionlang.processes.cores import cores
 
 KEEP = ("time",)
 

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from itertools import islice
 from time import perf_counter
 
-from motionlang.commands.processes.workers import Workers
 from motionlang.commands.sweep.job import Result, SweepJob, Variant, problem_of, work, worker_of
 from motionlang.kernel import Diagnostic
+from motionlang.processes.workers import Workers
 
 # Seconds that a chunk should take; that this process works alone before it starts others; that all the rest
 # may take without them.

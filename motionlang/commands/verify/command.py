@@ -18,7 +18,6 @@ from motionlang.cli.readers import among
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.diff.golden import differences, golden_files, update
-from motionlang.commands.processes.parallel import in_parallel
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.scenarios import Scenario, unmet
 from motionlang.commands.verify.further import (
@@ -35,6 +34,7 @@ from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel import ProgramError, Run, dialect_of, run, settings_next_to
 from motionlang.kernel.tools import need
+from motionlang.processes.parallel import in_parallel
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
 

@@ -51,7 +51,7 @@ class WorkerProcess:
 
     async def do(self, job: Job) -> Result | None:
         """Return the result of a job, None if there is none."""
-        from motionlang.commands.processes.workers import Workers
+        from motionlang.processes.workers import Workers
 
         if self._workers is None:
             self._workers = Workers(1)

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from motionlang.commands.cover import covered
+from motionlang.commands.cover.worlds import Counts, Event, Worlds
 from motionlang.commands.map.units import Reachability
-from motionlang.commands.worlds import Counts, Event, Worlds
 from motionlang.kernel import Hook, Source, dialect_for, run
 from motionlang.kernel.report import text
 from tests.cases import cases

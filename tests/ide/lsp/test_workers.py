@@ -145,7 +145,7 @@ def test_a_process_does_one_job_after_another_and_is_replaced_if_it_dies(
         process.stop()
         return found
 
-    monkeypatch.setattr("motionlang.commands.processes.workers.Workers", Workers)
+    monkeypatch.setattr("motionlang.processes.workers.Workers", Workers)
     assert asyncio.run(whole()) == [[], None, [], None, []]
     assert (made, ended) == ([1, 1, 1], [1, 2, 3])
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
-from motionlang.commands.processes.cores import cores
+from motionlang.processes.cores import cores
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -24,7 +24,7 @@ def in_parallel(work: Callable[[Item], Result], items: Sequence[Item], jobs: int
     if jobs <= 1:
         yield from map(work, items)
         return
-    from motionlang.commands.processes.workers import Workers
+    from motionlang.processes.workers import Workers
 
     pool = Workers(jobs)
     try:
