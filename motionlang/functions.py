@@ -62,7 +62,8 @@ def run(
     `program` is a path, or a `Source` with its text. `dialect` is "mint" or "mccl"; without it the file extension
     decides. `machine` has settings by the dotted keys of the machine file, such as {"controller.axes": 2};
     without it they are taken from the machine file next to the program, if there is one. `until` is the machine
-    time in seconds at which the run ends at the latest, by default the file's `run.until` or 8 hours.
+    time in seconds at which the run ends at the latest, by default the file's `run.until` or 8 hours,
+    or for a program that never ends ten cycles and at least 60 s.
     `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
     events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
     each text that the program prints. `nv` is a file that stores nonvolatile data between runs. With `prove` the run

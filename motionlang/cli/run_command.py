@@ -268,7 +268,7 @@ class Simulated(OutputOptions, Prepared):
             if self.format in ("none", "csv"):
                 sys.stderr.writelines(f"note: {printable(each)}\n" for each in result.idle)
             _note_axes_in_motion(result)
-            if self._is_endless(result.machine.settings):
+            if self._is_endless(result.machine.settings) and result.time >= ONE_SHIFT:
                 sys.stderr.write(
                     "note: nothing but the length of a shift ends it; --until 60 runs a minute\n"
                 )

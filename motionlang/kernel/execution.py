@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
+from math import isclose
+from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.controller.operations import Controller
@@ -35,6 +37,13 @@ from motionlang.kernel.tools import StackSpace
 
 # The default end of a run, because a machine program has none of its own.
 ONE_SHIFT = 8 * 3600.0
+if TYPE_CHECKING:
+    from motionlang.kernel.log.cycle import Cycle
+
+# A program without an end runs so many whole cycles, and so many seconds behind the last entry of the machine file.
+ENOUGH_CYCLES, ENOUGH_TIME = 10, 60.0
+# The factor of the time of the run by which it goes on, at least, if these are not enough yet.
+_LONGER = 1.25
 # The suffix of the machine file next to a program, after its name without suffix.
 MACHINE_SUFFIX = ".machine.toml"
 
@@ -269,6 +278,48 @@ def _is_ready(program: Program, language: Dialect, result: Run) -> bool:
     return True
 
 
+def _run_cycles(result: Run, scheduler: Scheduler, compiled: Program) -> str:
+    """Run a program for a shift, or one that never ends until it has done enough cycles; return the status.
+
+    The times at which the cycles are counted follow from the log, so the end depends on program and machine file alone.
+    """
+    end = ENOUGH_TIME + _last_entry(result.machine.settings)
+    while end < ONE_SHIFT:
+        status = scheduler.run(end)
+        if status != "until":
+            return status
+        if not compiled.structure.never_ends:
+            break
+        result.time, result.status = end, status
+        found = result.cycle
+        if found is not None and found.count >= ENOUGH_CYCLES and not _creeps(result, found):
+            cycles = f"{found.count} cycles of {found.period:.5g} s"
+            result.notes.append(
+                f"no path through the program ends it: enough after {cycles}; --until S runs it longer"
+            )
+            return status
+        missing = 0.0 if found is None else (ENOUGH_CYCLES - found.count) * found.period
+        end = max(end * _LONGER, end + missing)
+    return scheduler.run(ONE_SHIFT)
+
+
+def _creeps(result: Run, found: Cycle) -> bool:
+    """True if an axis with limits is elsewhere after a cycle, so that one of them may end the run."""
+    before, after = found.times[-2:]
+    zeroed = {axis for time, axis, _ in result.machine.log.zeros if time >= before}
+    return any(
+        a.barriers and (number in zeroed or not isclose(a.position(before), a.position(after), abs_tol=1e-6))
+        for number, a in result.controller.axes.items()
+    )
+
+
+def _last_entry(settings: Mapping[str, object]) -> float:
+    """Return the time, s, of the last entry of a machine file that has one; 0 if none has."""
+    entries = (each for value in settings.values() if isinstance(value, list) for each in value)
+    times = (each.get("at") for each in entries if isinstance(each, Mapping))
+    return max((time for time in times if isinstance(time, (int, float))), default=0.0)
+
+
 def _execute(
     result: Run,
     compiled: Program,
@@ -287,7 +338,12 @@ def _execute(
         if result.machine.stop is not None:
             result.machine.stop.end = scheduler.stop
         scheduler.gives_up = until is None  # a caller that wants so much time gets it
-        result.status = scheduler.run(end_of(settings) if until is None else until)
+        has_limit = until is not None or "run.until" in settings or result.machine.stop is not None
+        drives = pace is not None or outside is not None or result.machine.hook is not None
+        if has_limit or drives:
+            result.status = scheduler.run(end_of(settings) if until is None else until)
+        else:
+            result.status = _run_cycles(result, scheduler, compiled)
         if result.status == "until":
             report_futile_waits(result, scheduler)
         if scheduler.ended is not None and result.status in ("ended", "until"):

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.step_graph import GraphPoint, StepGraph
+from motionlang.kernel.lang.steps import STOP
 from motionlang.kernel.lang.wait_analysis import WaitAnalysis
 from motionlang.kernel.source import Source
 
@@ -195,6 +196,13 @@ class Structure:
     @property
     def points(self) -> Sequence[GraphPoint]:
         return self.graph.points
+
+    @property
+    def never_ends(self) -> bool:
+        """True if no path through the text ends the program."""
+        own = self.graph.reached_within(*(unit.entry for unit in self.units if unit.kind == "program"))
+        known = self.graph.reached(*(unit.entry for unit in self.units))
+        return all(self.graph.within[p] for p in own) and all(self.points[p].role != STOP for p in known)
 
     def inputs(self) -> Iterator[tuple[int, ChannelUse]]:
         """Yield the lines that read digital inputs or their banks, and those of handlers that inputs call."""
