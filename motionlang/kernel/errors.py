@@ -83,6 +83,7 @@ CODES: dict[str, str] = {
     "unused-setting": "A speed or a rate is set and never used.",
     "nothing-loaded": "A GO starts nothing, because no move is loaded.",
     "exact-position": "A position is compared for equality while the axis moves.",
+    "two-clocks": "A Time variable, which counts by itself, is subtracted from TIME or the reverse.",
     "wait-condition": "A WAIT, which takes a time, is given a condition.",
     "busy-loop": "An endless loop that computes and never waits.",
     "buffer-overfilled": "More moves are loaded before GO than the buffer holds.",
