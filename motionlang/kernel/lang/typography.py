@@ -1,12 +1,13 @@
-"""Typographic quotes, dashes and blanks in place of a program's plain ones.
+"""Typographic quotes, dashes and blanks in place of a program's plain ones, and invisible characters.
 
-Word processors insert them. `typographic` names the plain character, and `plain` replaces the typographic one
-for `check --fix`.
+Word processors and web pages insert them. `typographic` names the plain character, and `plain` replaces the typographic
+one for `check --fix`.
 """
 
 from __future__ import annotations
 
 import re
+from unicodedata import category
 
 _PLAIN = {
     '"': ("quote", "“”„‟«»″"),
@@ -25,7 +26,7 @@ _INSIDE = re.compile(f"(?<=[^\\W\\d_])[{_PLAIN[chr(39)][1]}](?=[^\\W\\d_])")
 
 
 def typographic(text: str) -> tuple[str, str] | None:
-    """Return message and hint for a text that begins with a typographic character.
+    """Return message and hint for a text that begins with a typographic or an invisible character.
 
     Returns None for any other text.
     """
@@ -34,7 +35,9 @@ def typographic(text: str) -> tuple[str, str] | None:
         character = character.encode("latin-1").decode("cp1252", "replace")
     kind, plain = TYPOGRAPHIC.get(character, ("", ""))
     if not kind:
-        return None
+        is_invisible = bool(character) and category(character) == "Cf"  # such as a zero-width space
+        message = f"this is an invisible character, U+{ord(character):04X}" if is_invisible else ""
+        return (message, "delete it") if message else None
     if kind == "blank":
         return "this is a non-breaking space, not a plain one", "type a plain space"
     return f"{character} is a typographic {kind}, not a plain {plain}", f"type {plain}"

@@ -120,8 +120,8 @@ A moving axis is at 100 for an instant, and the program reads its position befor
     fix="compare with >= or <=, or wait for the end of the move",
     mint=RuleCase(
         check_mint,
-        wrong="MOVER(0) = 200 : GO(0)\nPAUSE POS(0) = 100\nOUT(1) = 1\n",
-        right="MOVER(0) = 200 : GO(0)\nPAUSE POS(0) >= 100\nOUT(1) = 1\n",
+        wrong="MOVER(0) = 200 : GO(0)\nPAUSE POS(0) = 100\nOUTX(1) = 1\n",
+        right="MOVER(0) = 200 : GO(0)\nPAUSE POS(0) >= 100\nOUTX(1) = 1\n",
     ),
     mccl=RuleCase(
         check_mccl,

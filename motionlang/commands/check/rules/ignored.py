@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import NUMBER, line_of
+from motionlang.kernel.mccl.keywords.row import takes_number
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.resolve.errors import axis_behind
 from motionlang.kernel.mint.syntax import nodes
@@ -35,7 +36,7 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for command, at in facts.commands:
-        if command.row is not None and command.row.access == "C" and command.kind == NUMBER:
+        if command.row is not None and not takes_number(command.row) and command.kind == NUMBER:
             number, hint = f"{command.value:.10g}", f"write {command.axis or ''}{command.name}"
             if axis_behind(command, number, facts.axis_count):
                 hint = f"the axis goes before the command: {number}{command.name}"
@@ -59,7 +60,8 @@ RULE = Rule(
     code="ignored",
     group="Control flow",
     text="""\
-A part of a line has no effect. A command that takes no number, such as PT, ignores one. A semicolon begins a comment,
+A part of a line has no effect. A command that takes no number, such as PT, ignores one: `TP1` tells all positions, and
+`1TP` that of axis 1. A semicolon begins a comment,
 so it does not separate commands: `1MR100;1WS0` moves and does not wait. The second warning is only for a semicolon
 directly between two commands.
 

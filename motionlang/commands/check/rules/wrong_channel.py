@@ -1,11 +1,13 @@
 """A channel is not the one that was meant: an output at an input, or a bank of 32 in place of one channel.
 
 In MCCL a channel is an output at power-up or after a CT anywhere in the file. A CT whose channel is in a register may
-be for any channel. In Mint a bank above 0 is probably a channel if its value is used as true or false.
+be for any channel. In Mint a bank above 0 is probably a channel if its value is used as true or false, or if nothing
+but 0 and 1 is written to it.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.inputs import driven_inputs
@@ -35,10 +37,25 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
             truths.append(node.operand)
         elif type(node) is nodes.Binary and node.op in ("=", "<>"):
             truths += [each for each, other in _sides(node) if facts.number(other) in (0, 1)]
-        elif type(node) is nodes.Assign and len(node.values) == 1 and _is_bool(node.values[0]):
-            truths.append(node.target)
-    for truth in truths:
+    for truth in (*truths, *_switched(facts)):
         _check_bank(facts, truth, warn)
+
+
+def _switched(facts: MintFacts) -> Iterator[nodes.Expr]:
+    """Yield the targets of assignments to banks to which nothing but 0, 1, _ON and _OFF is assigned."""
+    targets: dict[tuple[str, float | None], list[nodes.Expr]] = {}
+    patterns = set()
+    for node in facts.of_kind(nodes.Assign):
+        name = meant(node.target)
+        if type(name) is not nodes.Name or name.row is None or name.row.index != "bank" or not name.args:
+            continue
+        key = name.row.name, facts.number(name.args[0])
+        targets.setdefault(key, []).append(node.target)
+        if len(node.values) > 1 or not (_is_bool(node.values[0]) or facts.number(node.values[0]) in (0, 1)):
+            patterns.add(key)
+    for key, found in targets.items():
+        if key not in patterns:
+            yield from found
 
 
 def _sides(node: nodes.Binary) -> tuple[tuple[nodes.Expr, nodes.Expr], ...]:
@@ -59,7 +76,8 @@ def _check_bank(facts: MintFacts, node: nodes.Expr, warn: Warn) -> None:
     first, last = int(bank) * BANK, int(bank) * BANK + BANK - 1
     if name.row.driven == "input" and set(range(first, last + 1)) & (driven_inputs(facts.settings) or set()):
         return
-    message = f"{name.row.name}({bank:.0f}) is a bank, with the {one.index}s {first} to {last}"
+    written = facts.module.source.text[name.start : name.end]
+    message = f"{written} is a bank, with the {one.index}s {first} to {last}"
     warn(message, name.start, f"{one.index} {bank:.0f} alone is {one.name}({bank:.0f})")
 
 
@@ -97,7 +115,8 @@ RULE = Rule(
     group="Machine",
     text="""\
 A bank of 32 channels is used where one channel is probably meant: `IF IN(3)` asks for inputs 96 to 127, and `INX(3)` is
-input 3. The warning is for a bank above 0 that is used as true or false, unless the machine file drives an input of it.
+input 3. The warning is for a bank above 0 that is used as true or false, unless the machine file drives an input of it,
+and for one to which the program writes nothing but 0 and 1: `OUT(1) = 1` switches output 32 on, `OUTX(1) = 1` output 1.
 
 In MCCL, CN or CF names a channel that is an input at power-up, and no CT in the file makes it an output. The board
 rejects the command.

@@ -57,6 +57,11 @@ def forms(row: Keyword) -> tuple[str, ...]:
     return (bare, f"{bare}n") if is_optional else (f"{bare}n",)
 
 
+def takes_number(row: Keyword) -> bool:
+    """True if a command uses the number behind it: a command that reports does so if its number has a range."""
+    return row.access == "W" or (row.access == "R" and row.low is not None)
+
+
 def not_simulated(task: CommandTask, command: Command) -> None:
     """Warn once that a command, which the board would accept, has no effect here."""
     assert command.row is not None

@@ -11,6 +11,7 @@ from motionlang.kernel.lang.typography import plain
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import table
+from motionlang.kernel.mccl.keywords.row import takes_number
 from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
 from motionlang.kernel.mccl.resolve.command import REGISTER, Command
 from motionlang.kernel.mccl.resolve.decode import problem
@@ -145,10 +146,10 @@ def _apart(line: Line, k: int, wrong: Fault | None, axes: int) -> Fault | None:
         numbers = [assigned[2], assigned[3]]
     elif axis_behind(owner, owner.text[2:], axes):
         numbers.insert(0, owner.text[2:])
-    is_axis = axis_behind(owner, numbers[0], axes) and (len(numbers) > 1 or row.access == "C")
+    is_axis = axis_behind(owner, numbers[0], axes) and (len(numbers) > 1 or not takes_number(row))
     if is_axis:
         hint = f"the axis goes before the command: {''.join([numbers[0], row.name, *numbers[1:2]])}"
-    elif owner.is_bare and row.access != "C" and not assigned:
+    elif owner.is_bare and takes_number(row) and not assigned:
         hint = f"a number follows its command directly: {owner.text.upper()}{numbers[0]}"
     else:
         return None

@@ -11,6 +11,7 @@ from motionlang.kernel.mint.resolve.problems import bracketed
 from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
+from motionlang.kernel.mint.syntax.expectations import ONE_FILE
 from motionlang.kernel.tools import Spellings
 
 # Words of the grammar that begin a statement and are often misspelled.
@@ -25,6 +26,7 @@ _OTHER_WORDS = {
     "call": "a sub is called by its name alone",
     **dict.fromkeys(("catch", "try"), "an event handles errors: Event ONERROR"),
     "continue": "there is no Continue: put the rest of the loop in an If",
+    **dict.fromkeys(("import", "include"), ONE_FILE),
     "let": "a variable is assigned to by its name alone: k = 3",
     **dict.fromkeys(("local", "private", "public", "static", "var"), _DIM),
     "switch": "a choice between values is Select Case k … End Select",

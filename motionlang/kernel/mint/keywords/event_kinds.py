@@ -29,6 +29,9 @@ SINGLE = frozenset((
 ))  # fmt: skip
 
 
+# The numbers of the channels that raise the events of a kind; a host may have any number of elements.
+NUMBERS = {"bus": range(1, 3), "fastin": range(1000), "latch": range(32), "in": range(1000)}
+
 # Kinds that a v4 label cannot handle: Mint v4 reports them to an embedded or a host application alone
 # [MN1270 p. 106].
 _NO_LABEL = frozenset(("mblow",))

@@ -16,10 +16,11 @@ from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
 from motionlang.kernel.mint.keywords.defaults import PATTERNS
+from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
 from motionlang.kernel.mint.runtime.binding import Operation, of, of_word
 from motionlang.kernel.mint.runtime.environment import Environment
 
-LAST_CHANNEL = 999
+LAST_CHANNEL = NUMBERS["in"][-1]
 # Seconds between two samples of an input [MN1270 p. 95]; a change at the moment of a sample is in that sample.
 SAMPLE = 1e-3
 _SAME = 1e-6

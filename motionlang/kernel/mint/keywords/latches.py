@@ -16,11 +16,12 @@ from motionlang.kernel.controller.triggers.homing import next_index
 from motionlang.kernel.controller.watch import Watch
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.lang.wait_causes import Read
+from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
 from motionlang.kernel.mint.keywords.io_inputs import checked
 from motionlang.kernel.mint.runtime.binding import ByNumber, Maker, Operation, axis_of, scale_of, unchecked
 from motionlang.kernel.mint.runtime.environment import Environment
 
-LAST_LATCH = 31
+LAST_LATCH = NUMBERS["latch"][-1]
 BY_INPUT, BY_INDEX = 0, 1
 RISING, FALLING, BOTH = 0, 1, 2
 AXIS_POSITION, ENCODER = 0, 1

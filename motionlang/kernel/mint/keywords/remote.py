@@ -11,6 +11,7 @@ from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.io.host_memory import HostMemory
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, kind_of
+from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
 from motionlang.kernel.mint.keywords.io_inputs import bits_of, checked
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
@@ -20,7 +21,7 @@ Entry = Mapping[str, Any]
 
 
 # Powerlink numbers its nodes beyond CAN's 127: its manager is 240.
-LAST_BUS, LAST_NODE, LAST_CHANNEL = 2, 255, 255
+LAST_BUS, LAST_NODE, LAST_CHANNEL = NUMBERS["bus"][-1], 255, 255
 # Inputs first, then the channels that the program sets.
 KINDS = ("inputs", "analogue_inputs", "outputs", "analogue_outputs")
 # The names in the report of the channels that the program sets.

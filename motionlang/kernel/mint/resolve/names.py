@@ -47,7 +47,13 @@ from itertools import chain
 from math import inf
 
 from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.mint.keywords.event_kinds import KINDS, SINGLE, SOURCELESS, kind_and_number
+from motionlang.kernel.mint.keywords.event_kinds import (
+    KINDS,
+    NUMBERS,
+    SINGLE,
+    SOURCELESS,
+    kind_and_number,
+)
 from motionlang.kernel.mint.keywords.unsimulated import WRITTEN, written
 from motionlang.kernel.mint.models import STRINGS
 from motionlang.kernel.mint.resolve.folding import Meaning, fold, given
@@ -156,6 +162,10 @@ class Symbols:
                                   f"the events are {', '.join(names)}")  # fmt: skip
         elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
             self.problems.add("duplicate", f"there is already a handler for {event.name}", event.start)
+        elif found[1] >= 0 and (numbers := NUMBERS.get(found[0])) is not None and found[1] not in numbers:
+            word = event.name.rstrip("0123456789")
+            self.problems.add("channel", f"there is no event {event.name}", event.start,
+                              f"they are numbered {word}{numbers[0]} to {word}{numbers[-1]}")  # fmt: skip
         elif found[0] in SOURCELESS:
             self.problems.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.start,
                               f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip

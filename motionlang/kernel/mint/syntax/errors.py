@@ -397,6 +397,7 @@ class _Reader:
             behind = at + 1
         else:
             hint = self._continued(at) if "_NL" in kinds else ""
+            hint = hint or self._event_name(at) or self._without_brackets(end)
             hint = hint or expectations.hint(kinds, before, token, self.kinds[self.start])
             self.report("syntax", expectations.message(kinds, token.type, token), token, hint)
         if "THEN" in kinds and self._is_of_one_line(behind, end) and self._add_then(behind, end):
@@ -413,6 +414,25 @@ class _Reader:
         if at == self.start or mark not in ("\\", "_"):
             return ""
         return f"line {self._line(before)} goes on here; remove the {mark} at its end"
+
+    def _event_name(self, at: int) -> str:
+        """Return a hint for the number of an event apart from its name, as in `Event IN(3)`."""
+        number = at + (self.kinds[at] == "LPAR")
+        if self.kinds[self.start] != "EVENT" or at != self.start + 2 or self.kinds[number] != "NUMBER":
+            return ""
+        name = f"{self.tokens[at - 1]}{self.tokens[number]}"
+        return f"an event has no parameters; one with a number is written Event {name}"
+
+    def _without_brackets(self, end: int) -> str:
+        """Return a hint for a statement that is right without the brackets behind its word, as in `Run(Feeder)`."""
+        kinds = self.kinds[self.start : end]
+        if kinds[0] == "NAME" or kinds[1:2] != ["LPAR"] or "RPAR" not in kinds:
+            return ""
+        word, closing = self.tokens[self.start], self.start + kinds.index("RPAR")
+        inside = self.tokens[self.start + 2 : closing]
+        if self.mark.after([word, *inside, *self.tokens[closing + 1 : end + 1]]) is None:
+            return ""
+        return f"write {' '.join([word, *inside])}"
 
     def _is_of_one_line(self, at: int, end: int) -> bool:
         """True if the line has tokens from `at` to its end, and the next line is not indented as a body is."""

@@ -13,6 +13,7 @@ STATEMENT = {"PAUSE", "DIM", "GOTO"}  # if all are valid, any statement is
 SEPARATORS = {"_NL", "COLON"}
 MAX_ALTERNATIVES = 3  # a longer list of alternatives does not help
 
+ONE_FILE = "one file is one program: copy the text of the other file into this one"
 # A token, the unexpected token after it, and what the author probably meant; names are in lower case.
 SLIPS = {
     ("=", "="): "one = both assigns and compares",
@@ -42,6 +43,7 @@ SLIPS = {
     ("print", "$"): "a hexadecimal number is written 0x1F",
     ("error", "goto"): "an event handles errors: Event ONERROR",
     ("error", "gosub"): "an event handles errors: Event ONERROR",
+    ("include", '"'): ONE_FILE,
 }
 _WITH_UNIT = re.compile(r"(\d+(?:\.\d*)?)(?:m?s|[cmu]?m|in|deg|rad|rev|rpm|k?hz|v|counts?)", re.IGNORECASE)
 TYPE_SIGNS = "%$"
@@ -96,7 +98,7 @@ def hint(kinds: set[str], before: str, text: str, first: str) -> str:
         return f"numbers have no unit: {number[1]}"
     if text.lower() == "not" and kinds >= VALUE:
         return "Not takes all that follows; write it in brackets, (Not b)"
-    if slip := SLIPS.get((before, text[:1])) or SLIPS.get((before.lower(), text.lower())):
+    if slip := SLIPS.get((before.lower(), text[:1])) or SLIPS.get((before.lower(), text.lower())):
         return slip
     if before in ("++", "--"):
         return SLIPS[before[:1], "="]
