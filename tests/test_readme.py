@@ -63,3 +63,8 @@ def test_the_remembered_keywords_are_counted_as_on_the_page() -> None:
     }
     sentence = f"Of {sum(counts.values())} simulated Mint keywords, {counts['memory, low confidence']} have"
     assert sentence in README.replace("\n", " ")
+
+
+def test_the_programs_in_python_are_counted() -> None:
+    count = len(list((ROOT / "examples").glob("*.py")))
+    assert f"`examples/` has {count} programs" in README.replace("\n", " ")

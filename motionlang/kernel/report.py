@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.assumptions.used import depended_on, remembered_in
 from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.faults import ABORT
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.move import LoggedMove
@@ -350,7 +351,7 @@ def _axis(axis: Axis, now: float) -> Row:
 
 
 def _is_touched(axis: Axis) -> bool:
-    return bool(len(axis.starts) > 1 or axis.faults or axis.scale.counts != 1.0 or axis.scale.zero)
+    return bool(len(axis.starts) > 1 or axis.faults & ~ABORT or axis.scale.counts != 1.0 or axis.scale.zero)
 
 
 def _head(run: Run) -> Row:

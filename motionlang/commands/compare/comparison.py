@@ -198,17 +198,19 @@ def _target(run: Run, target: str) -> tuple[str, int]:
 
 
 def own_columns(columns: Mapping[str, Array]) -> Iterator[Mapped]:
-    """Yield the columns that are named like the columns of our own trace.
+    """Yield the columns that are named like the columns of our own trace, or like what they can be assigned to.
 
     The measured position precedes the commanded one.
     """
     made: dict[str, Mapped] = {}
     suffixes = {f"{name}_{unit}": name for name, (_, unit) in (UNITS | MOTOR).items() if name in QUANTITIES}
     for column in columns:
-        axis, _, rest = column.partition("_")
-        quantity = suffixes.get(rest)
-        if axis.startswith("axis") and axis[4:].isdecimal() and quantity is not None:
-            target = f"{'position' if quantity == 'actual' else quantity}.{axis[4:]}"
+        quantity, _, axis = column.partition(".")  # position.0
+        if quantity not in QUANTITIES:
+            first, _, rest = column.partition("_")  # axis0_position_uu
+            quantity, axis = suffixes.get(rest, ""), first.removeprefix("axis") if first[:4] == "axis" else ""
+        if axis.isdecimal() and quantity:
+            target = f"{'position' if quantity == 'actual' else quantity}.{axis}"
             if quantity == "actual" or target not in made:
                 made[target] = Mapped(target, column, None)
     yield from made.values()

@@ -25,7 +25,7 @@ Row = dict[str, Any]
 WITH_PHASES, MAX_MOVES = 6, 40
 
 
-_LAG = Column("lag", unit="ms", text=lambda seconds: f"{1000.0 * seconds:.3f}")
+_LAG = Column("lag", unit="ms", text=lambda seconds: f"{round(1000.0 * seconds, 3) + 0.0:.3f}")
 
 
 def _verdict_on(row: Row) -> str:

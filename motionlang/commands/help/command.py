@@ -18,7 +18,8 @@ from motionlang.commands.help.codes import codes, explanation
 from motionlang.commands.help.keyword_search import search
 from motionlang.commands.help.view import evidence_table, keywords_table, listing, page
 from motionlang.commands.probe import view as assumptions
-from motionlang.commands.probe.assumption import SETTLED
+from motionlang.commands.probe.assumption import SETTLED, Assumption
+from motionlang.commands.probe.entries import assumptions as known
 from motionlang.commands.probe.fact_evidence import of_word as of_word_facts
 from motionlang.commands.probe.questions import of_word
 from motionlang.kernel import CODES, Diagnostic, Keyword, dialect, dialects
@@ -67,6 +68,7 @@ examples:
   motionlang help keywords --lang mccl  all keywords of a language
   motionlang help never-started         the code in brackets of a diagnostic
   motionlang help codes                 all codes
+  motionlang help mint.accel-default    the assumption that a note names
 """
     words: list[str] = argument("WORD", "what to explain; default: list all commands", many=True, default=[])
     format: str = forms("text", "json", "csv", "none", what="the output, as data of keywords only")
@@ -97,7 +99,7 @@ examples:
         return self.lang is None and self.format == "text"
 
     def _meanings(self, name: str) -> list[Meaning]:
-        """Return the command, keyword, code and group of a name; all but the first are only named."""
+        """Return the command, keyword, code, assumption and group of a name; all but the first are only named."""
         found: list[Meaning] = []
         parser = _parser(name.split()) if self._wants_all else None
         if parser is not None:
@@ -112,6 +114,9 @@ examples:
             found.append(Meaning("the list of codes", name, codes))
         elif self._wants_all and code in CODES:
             found.append(Meaning("the code of a diagnostic", f'"error[{code}]"', partial(explanation, code)))
+        assumption = known().get(name) if self._wants_all and "." in name else None
+        if assumption is not None:
+            found.append(Meaning("an assumption", name, partial(_assumption, assumption)))
         groups = self._groups(name) if found and not keywords and not pasted else {}
         if groups:
             words = f"{name} --lang {next(iter(groups))}"
@@ -205,6 +210,13 @@ def _listings(found: Found) -> str:
 
 def _pages(found: Mapping[str, Keyword]) -> str:
     return "\n".join(_page(row, language) for language, row in found.items())
+
+
+def _assumption(found: Assumption) -> str:
+    """Return an assumption as the pages of its keywords show it."""
+    language = found.name.partition(".")[0]
+    axis = dialect(language if language in dialects() else dialects()[0]).first_axis
+    return assumptions.of_word([found], axis, width=min(_width(), 88), colour=wants_colour(sys.stdout))
 
 
 def _page(row: Keyword, language: str) -> str:

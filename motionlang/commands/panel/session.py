@@ -218,13 +218,16 @@ class PanelSession:
                     raise WrongAction(f"an answer is one line of at most {MAX_LINE} characters")
                 return lambda play: play.reply(text)
             case "back":
-                return partial(self._go_back, time=_number(request, "time"))
+                time = _number(request, "time")
+                if time < 0.0:
+                    raise WrongAction("the run begins at 0 s: time must be 0 or more")
+                return partial(self._go_back, time=time)
             case "restart":
                 return self._restart(keeps=bool(request.get("keep")))
             case "switch":
                 return self._put_switch
             case "rule":
-                number = int(_number(request, "number"))
+                number = _whole(request, "number")
                 entry = self._rules.get(number)
                 if entry is None:
                     raise WrongAction(f"no output explains the changes of input {number}")
@@ -234,7 +237,7 @@ class PanelSession:
         raise WrongAction("unknown action")
 
     def _change(self, request: Mapping[str, Any]) -> Change:
-        table, number = str(request.get("table", "")), int(_number(request, "number"))
+        table, number = str(request.get("table", "")), _whole(request, "number")
         if table == RELEASE:
             if number not in self._play.driven:
                 raise WrongAction(f"the machine file does not drive input {number}")
@@ -365,6 +368,13 @@ def _number(request: Mapping[str, Any], key: str) -> float:
     if not isinstance(value, (int, float)) or not isfinite(value):
         raise WrongAction(f"{key} must be a number")
     return value
+
+
+def _whole(request: Mapping[str, Any], key: str) -> int:
+    value = _number(request, key)
+    if value != int(value):
+        raise WrongAction(f"{key} must be a whole number")
+    return int(value)
 
 
 def _stamp(path: str) -> tuple[int, int] | None:

@@ -21,7 +21,7 @@ _MAX_SHOWN = 8
 _KINDS = {
     "text": "a text", "count": "a whole number of at least 1", "number": "a number", "flag": "true or false",
     "positive": "a positive number", "percentage": "a percentage, -100 to 100",
-    "time": "a time in seconds", "pair": "two numbers in brackets",
+    "level": "0 or 1", "time": "a time in seconds", "pair": "two numbers in brackets",
     "channel": "the number of a channel", "port": "a port, 1 to 8", "node": "a node, 0 to 255", "bus": "a bus, 1 or 2",
 }  # fmt: skip
 

@@ -559,5 +559,5 @@ _pmTRAPEZOIDAL _pmSRAMP _egALL _egSYNCHRONOUS _egAXIS _egMISC Input Dim If Then 
 Next Step While Repeat Until Loop Exit Goto Gosub Return Sub Function ByVal ByRef Startup Auto End Type As And
 Or Xor Not Mod To Is
 """,
-    "mccl": "FS SH OB OO ES MA RT FI FE TT TK CX MD AV GX WP WR EN HE OT FT FD",
+    "mccl": "FS SH OB OO ES RT FI FE TK CX AV GX EN HE OT FT FD",
 }

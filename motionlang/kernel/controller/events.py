@@ -57,6 +57,8 @@ def note(
 
 def raised(a: Axis, bit: int, action: str) -> None:
     """Log a fault that is about to be raised, and its `action`."""
+    if not _is_listed(a, bit):
+        return
     kind, value, limit = KINDS.get(bit, "fault"), None, None
     if kind in ("limit", "soft limit"):
         value = a.scale.position_to_user(a.here(a.clock.now))
@@ -74,7 +76,14 @@ def raised(a: Axis, bit: int, action: str) -> None:
 
 def cleared(a: Axis) -> None:
     """Log that the faults of an axis are about to be cleared."""
-    note(a, "cleared", text=fault_names(a.faults))
+    if _is_listed(a, a.faults):
+        note(a, "cleared", text=fault_names(a.faults))
+
+
+def _is_listed(a: Axis, faults: int) -> bool:
+    """True if faults of an axis are events: ABORT is for every axis, and is one of those that moved, if any did."""
+    moved = [each for each in a.controller.axes.values() if len(each.starts) > 1 or each.older is not None]
+    return faults != ABORT or not moved or a in moved
 
 
 def check_velocity(a: Axis, profile: Profile, cause: str, move: LoggedMove | None) -> None:

@@ -13,6 +13,7 @@ import pytest
 
 from motionlang import compare, run
 from motionlang.cli import main
+from motionlang.commands.compare.view import render_comparison
 from motionlang.kernel import ProgramError, Run, Source
 
 PROGRAM = """\
@@ -118,6 +119,18 @@ def test_a_trace_of_ours_needs_no_mapping(tmp_path: Path) -> None:
         f"{quantity}.{axis}" for quantity in ("position", "velocity", "acceleration") for axis in (0, 1)
     }
     assert abs(made.delay) < 1e-6
+
+
+def test_a_column_with_the_name_of_a_quantity_needs_no_mapping() -> None:
+    source = recorded(lambda t: (at(0, t), at(1, t)))
+    named = Source("x.csv", source.text.replace("t,x,y", "time,position.0,position.1", 1))
+    assert {row["signal"] for row in compare(simulated(), named).signals} == {"position.0", "position.1"}
+
+
+def test_a_lag_of_nothing_has_no_sign() -> None:
+    made = compared(recorded(lambda t: (at(0, t + 1e-7), at(1, t))), delay=0.0)
+    assert -1e-6 < made.moves[0]["lag"] < 0.0
+    assert "-0.000 " not in render_comparison(made, width=200, everything=True)
 
 
 # ------------------------------------------------------------------------------------------ files as they come

@@ -137,7 +137,7 @@ ABORTED = MOVE.replace("PAUSE", "WAIT(500)\nABORT\nPAUSE")
     ("name", "text", "machine", "found"),
     [
         ("limit", MOVE, TRAVEL, "limit of axis 0: forward limit, abort at 1.25005 s in line 5"),
-        ("fault", ABORTED, "", "abort of axis 1; 6 more at 0.50007 s"),
+        ("fault", ABORTED, "", "abort of axis 0 at 0.50007 s in line 6"),
         ("clamp", f"MAXSPEED(0) = 20\n{MOVE}", "", "clamp of axis 0: speed"),
     ],
 )

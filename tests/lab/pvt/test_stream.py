@@ -385,6 +385,9 @@ def test_the_node_answers_as_a_canopen_device() -> None:
             (lambda: node.sdo.download(0x2010, 0, b"\1"), 0x06070010),
             (lambda: node.sdo.upload(0x3000, 0), 0x06020000),
             (lambda: node.sdo.upload(0x60C1, 9), 0x06090011),
+            (lambda: node.sdo.upload(0x6081, 5), 0x06090011),
+            (lambda: node.sdo.download(0x6081, 5, b"\1\0\0\0"), 0x06090011),
+            (lambda: node.sdo.upload(0x1008, 1), 0x06090011),
         ]
         for refused, code in refusals:
             with pytest.raises(canopen.SdoAbortedError) as abort:

@@ -18,6 +18,7 @@ from motionlang.kernel.lang.machine.keys import (
     LAST_LINE,
     LAST_REGISTER,
     MAX_AXES,
+    MEANT,
     MOTORS,
     NAMED,
     NODE_EVENTS,
@@ -129,10 +130,12 @@ def read_value(text: str) -> object:
 
 def _keys_below(key: str) -> str:
     """Return a hint for an unknown key: some keys of its section, or the sections."""
-    section = key.partition(".")[0]
-    below = [each for each in KEYS if each.startswith(f"{section}.")]
+    section, below = generic(key), list[str]()
+    while section and not below:
+        section = section.rpartition(".")[0]
+        below = [each for each in KEYS if each.startswith(f"{section}.")]
     begins = ", ".join(below[:3] or dict.fromkeys(each.partition(".")[0] for each in KEYS))
-    known = f"a key of {section} is {begins} …" if below else f"a key begins with {begins}"
+    known = f"a key of {section.removesuffix('.N')} is {begins} …" if below else f"a key begins with {begins}"
     return f"{known}; docs/machine-file.md lists all"
 
 
@@ -146,6 +149,8 @@ def _nearest_key(key: str, keys: Iterable[str]) -> str | None:
     if section not in sections:
         section = nearest(section, sections) or ""
     near = nearest(last, sections[section])
+    if near is None and MEANT.get(last) in sections[section]:
+        near = MEANT[last]
     return sections[section][near] if near else None
 
 
@@ -380,6 +385,7 @@ def _kind_problem(kind: str, value: object) -> str | None:
         "node": (whole and 0 <= value <= 255, "must be a whole number from 0 to 255"),  # type: ignore[operator]
         "port": (whole and 1 <= value <= 8, "must be a whole number from 1 to 8"),  # type: ignore[operator]
         "dpr": (whole and 0 <= value <= 4095, "must be a whole number from 0 to 4095"),  # type: ignore[operator]
+        "level": (finite and value in (0, 1), "must be 0 or 1"),
         "bit": (whole and 0 <= value <= 1, "must be 0 or 1"),  # type: ignore[operator]
         "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
         "stop event": (value in STOP_EVENTS, f"must be one of {', '.join(STOP_EVENTS)}"),

@@ -10,6 +10,8 @@ from motionlang.kernel.log.records import EVENTS
 
 # The axes that a controller may have.
 MAX_AXES = 64
+# Other words for the last part of a key.
+MEANT = {"velocity": "speed", "deceleration": "acceleration", "range": "position"}
 # key -> (kind, help). A pair is two numbers, the first not above the second.
 KEYS: dict[str, tuple[str, str]] = {
     "controller.model": (
@@ -162,7 +164,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     "input": {
         "channel": ("channel", "The digital input."),
         "name": ("text", "A name for the input, for `run --input NAME=1@0.5`."),
-        "value": ("number", "The value while active. Default 1."),
+        "value": ("level", "The level while active, 0 or 1. Default 1."),
         "for": ("positive", "Duration in seconds. Default: forever."),
         "every": ("positive", "The period of repetition: seconds, or with between user units."),
         "times": (

@@ -61,7 +61,7 @@ GENERIC, COMMUNICATION = 0x01, 0x10
 # SDO requests: the mask of the command, that of a block upload and of its later steps; the answer that aborts one.
 SDO_COMMAND, BLOCK_UPLOAD, BLOCK_STEP, SDO_ABORT = 0xE0, 0xA0, 0x03, 0x80
 INVALID_COMMAND = 0x05040001
-NOT_MAPPABLE, TOO_LONG, VALUE_RANGE = 0x06040041, 0x06040042, 0x06090030
+NOT_MAPPABLE, TOO_LONG, VALUE_RANGE, NO_SUBINDEX = 0x06040041, 0x06040042, 0x06090030, 0x06090011
 
 
 def object_dictionary(node_id: int = 0) -> ObjectDictionary:
@@ -196,6 +196,13 @@ class DriveNode(LocalNode):
             raise SdoAbortedError(rejected.code) from None
         return value.to_bytes(_size(entry), "little", signed=entry.kind[0] == "i")
 
+    def _find_object(self, index: int, subindex: int) -> ODVariable:
+        """Return an object of the dictionary; the library finds one without sub-indices at any of them."""
+        found: ODVariable = super()._find_object(index, subindex)  # type: ignore[no-untyped-call]
+        if found.subindex != subindex:
+            raise SdoAbortedError(NO_SUBINDEX)
+        return found
+
     def set_data(self, index: int, subindex: int, data: bytes, check_writable: bool = False) -> None:
         """Write an object, for the SDO server and for receive PDOs."""
         entry = BY_ADDRESS.get((index, subindex))
@@ -311,7 +318,7 @@ class DriveNode(LocalNode):
 
     def _check(self, index: int, subindex: int, data: bytes, check_writable: bool) -> None:
         """Check a write in the way that the library does."""
-        variable = self._find_object(index, subindex)  # type: ignore[no-untyped-call]
+        variable = self._find_object(index, subindex)
         if check_writable and not variable.writable:
             raise SdoAbortedError(0x06010002)
         if 8 * len(data) != len(variable):

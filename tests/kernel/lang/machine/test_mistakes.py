@@ -109,6 +109,18 @@ def test_the_values_of_a_kind(kind: str) -> None:
             ),
         ),
         (
+            "[axis.0.limits]\nvelocity = 5",
+            (2, 1, 8, "there is no key axis.0.limits.velocity", "did you mean axis.N.limits.speed?"),
+        ),
+        (
+            "[axis.0.limits]\nzzz = 5",
+            (
+                *(2, 1, 3, "there is no key axis.0.limits.zzz"),
+                "a key of axis.N.limits is axis.N.limits.position, axis.N.limits.speed, axis.N.limits.acceleration …; "
+                "docs/machine-file.md lists all",
+            ),
+        ),
+        (
             "zzz = 5",
             (
                 *(1, 1, 3, "there is no key zzz"),
