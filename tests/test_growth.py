@@ -116,7 +116,8 @@ def _explore(name: str, text: str) -> None:
     assert language is not None
     program = language.program(Source(name, text), is_debug=True)
     made = program_map(program, language)
-    found = explore(program, trials=TRIALS)
+    shares: list[float] = []
+    found = explore(program, is_over=lambda: len(shares) >= TRIALS, progress=shares.append)
     made.behaviour = behaviour_of(
         found, made.structure, ReaderNames(made.channels, made.axes), made.unreached
     )

@@ -11,27 +11,28 @@ on is a transition. Transitions that return to a state are a cycle.
                                                                   ▲                            │
                                                                   └────── input 0 off ─────────┘
 
-Search. The states with the fewest changes come first. A change that leads a state to something new, or moves an axis,
-may depend on the other inputs that are read there, so it is tried again together with each of those. A state that was
-known with an end of its own, and is found as one that lasts, is tried again with its levels. Levels of analogue inputs,
-numbers of a host, Modbus registers and keys come from comparisons: an unusual value is played, and both sides of the
-comparisons that follow are solved for it (`values.py`).
+Search. What was read decides: the trial records which statement has read which channel, and what a state asks for is
+changed (`questions.py`): one channel, then several that one statement has read, then those that were read on the way. A
+level, a number of a host, a register and a key come from comparisons: an unusual value is played, and both sides of the
+comparisons that follow are solved for it (`values.py`). Of a bank of inputs only those count whose change the
+comparisons need; they are found by halves.
+
+A state is where the tasks rest (`rests.py`), and what the program remembers there: the variables that decide what it
+does later (`memory.py`). At a place that is known already, what led on there is tried first.
 
 An input that is read while an axis moves, or whose change starts a handler, is changed in the middle of the move, too:
 once for each line that moves an axis and what moves after it. If the comparisons of a program count how often an input
 comes, in a move or at rest, it comes as often as they ask for.
 
-Of a bank of inputs only those count that make a difference to a comparison; they are found by halves.
-
-A question is a state, and an answer is a change; where several tasks rest, their places together are one state.
-Without a choice are the switches of an axis that homes for ever (`switches.py`).
-
-The world of the likeliest cycle that repeats when it is played is then described by simple rules (`world.py`).
+A question is a state, and an answer is a change. Without a choice are the switches of an axis that homes for ever
+(`switches.py`). The likeliest cycles (`cycles.py`) are played, and the world of the first that repeats is described by
+simple rules (`world.py`).
 
 Not simulated yet: changes of anything but an input in the middle of a move.
 
-Cost. At most `MAX_TRIALS` trials, and a run from power-up for each state that is left: its trials go on from a snapshot
-(`trials.py`). The same program gives the same result, unless the user ends the exploration.
+Cost. The statements that all trials begin, at most `MAX_WORK`, and a run from power-up for each state that is left: its
+trials go on from a snapshot (`trials.py`). The same program gives the same result on every machine, unless the user
+ends the exploration.
 """
 
 from __future__ import annotations
@@ -40,26 +41,21 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
 
-from motionlang.exploration.cycles import MachineCycle, cycles
-from motionlang.exploration.rests import SHORTEST_REST, RestState, TaskRest
-from motionlang.exploration.search import MAX_TRIALS, Explorer, StateNode, Transition, Visit
-from motionlang.exploration.switches import FoundSwitches
-from motionlang.exploration.trials import (
+from motionlang.exploration.changes import (
     TABLES,
     TEXTS,
-    Act,
     Change,
     Entry,
-    Interrupted,
-    Trial,
-    asks,
-    described,
     entries,
     number_in,
-    plain,
     tables_of,
-    without_figures,
 )
+from motionlang.exploration.cycles import MachineCycle, cycles
+from motionlang.exploration.rests import SHORTEST_REST, RestState, TaskRest
+from motionlang.exploration.search import MAX_WORK, Explorer
+from motionlang.exploration.states import StateNode, Transition, Visit
+from motionlang.exploration.switches import FoundSwitches
+from motionlang.exploration.trials import Act, Interrupted, Trial, asks, described, plain, without_figures
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
 from motionlang.exploration.world import FoundWorld, explains, lead, played, world_of
@@ -170,25 +166,26 @@ class Exploration:
         return self._explorer.line(at)
 
     def reads(self, state: RestState) -> list[str]:
-        """Return the names of what the statements of a state read, such as "input 3" or "a key"."""
-        return self._explorer.reads(state)
+        """Return the names of what was read in a state, such as "input 3" or "a key"."""
+        node = self._explorer.nodes.get(state)
+        return [] if node is None else [Change(*channel, 0.0).subject for channel in node.channels]
 
 
 def explore(
     program: Program,
     machine: Mapping[str, object] | None = None,
     *,
-    trials: int = MAX_TRIALS,
+    work: int = MAX_WORK,
     is_over: Callable[[], bool] = lambda: False,
     progress: Callable[[float], object] = lambda share: None,
     keeps: bool = False,
 ) -> Exploration:
-    """Explore a program, a debug build, in a world with the settings that a person gave, by so many trials.
+    """Explore a program, a debug build, in a world with the settings that a person gave, by so much work.
 
-    It ends earlier where `is_over` returns True. `progress` is called with the share of the trials. Raises Interrupted,
+    It ends earlier where `is_over` returns True. `progress` is called with the share of the work. Raises Interrupted,
     with the run, at Ctrl-C; with `keeps` the first one ends the search, and what was found is kept in `interrupted`.
     """
-    explorer = Explorer(program, machine or {}, trials, is_over, progress)
+    explorer = Explorer(program, machine or {}, work, is_over, progress)
     interrupted: Run | None = None
     try:
         explorer.explore()

@@ -7,12 +7,14 @@ counts against it, and a handler or a fault much more.
 
 from __future__ import annotations
 
+import re
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
+from motionlang.exploration.changes import Channel
 from motionlang.exploration.rests import RestState
-from motionlang.exploration.search import StateNode, Transition, Visit, Work
+from motionlang.exploration.states import StateNode, Transition, Visit, Work
 
 # The longest cycle, in transitions, and the largest number of cycles that are compared.
 MAX_LENGTH, MAX_CYCLES = 8, 20_000
@@ -20,7 +22,11 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # switched on. Against it: each change of the world, an answer less, since the program asks for it; one at the same time
 # as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
 MOVE, OUTPUT = 2.0, 0.5
-CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN = 1.0, 0.25, 0.5, 0.5, 3.0, 20.0, 5.0
+CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
+# Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, takes less
+# time, s, and says less of what is wrong.
+KEPT, SWITCHED, SECOND, WRONG = 0.0001, 0.001, 0.001, 1.0
+_WRONG = re.compile(r"bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out", re.IGNORECASE)
 # Work is faster than other work if it takes this share of its time.
 FASTER = 0.95
 
@@ -55,8 +61,9 @@ def cycles(nodes: Mapping[RestState | None, StateNode], work: Iterable[Work]) ->
 
     Of those of the same states it is the best.
     """
-    at_start = (node.first.moved for node in nodes.values() if not node.first.timeline)
-    found = [*_loops(nodes, frozenset[int]().union(*at_start)), *_runs(nodes), *_without_rest(work)]
+    moved = (node.first.moved for node in nodes.values() if not node.first.timeline)
+    at_start = frozenset[int]().union(*moved)
+    found = [*_loops(nodes, at_start), *_runs(nodes, at_start), *_without_rest(work)]
     best: dict[object, MachineCycle] = {}
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
@@ -98,14 +105,15 @@ def _loop(
         yield MachineCycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start))
 
 
-def _runs(nodes: Mapping[RestState | None, StateNode]) -> Iterator[MachineCycle]:
-    """Yield the runs that end after a piece."""
+def _runs(nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int]) -> Iterator[MachineCycle]:
+    """Yield the runs that end after a piece; all changes that lead there are changes of the cycle."""
     for node in nodes.values():
         for each in node.transitions:
             if each.target is None:
                 lines = (*sorted(node.moved - set(each.lines)), *each.lines)
                 work = each.work | each.visit.moved
-                value = _value((each,), each.visit, work) - WHOLE_RUN
+                changes = sum(change.table != "answer" for _, change in each.visit.timeline)
+                value = _value((each,), each.visit, work - at_start) - CHANGE * changes - WHOLE_RUN
                 yield MachineCycle((each,), each.visit, lines, work, value)
 
 
@@ -114,10 +122,10 @@ def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
     fastest: dict[frozenset[int], Work] = {}
     for work in works:
         other = fastest.setdefault(work.lines, work)
-        if work.period < FASTER * other.period:
+        if (_wrong(work.said), work.period) < (_wrong(other.said), FASTER * other.period):
             fastest[work.lines] = work
     for work in fastest.values():
-        value = MOVE * len(work.lines) + OUTPUT * len(work.outputs) - BEFORE * len(work.timeline)
+        value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
         yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 
@@ -125,12 +133,28 @@ def _work(transitions: Iterable[Transition]) -> frozenset[int]:
     return frozenset[int]().union(*(each.work for each in transitions))
 
 
+def _wrong(said: Iterable[str]) -> int:
+    """Return how often words say that something is wrong."""
+    return sum(len(_WRONG.findall(each)) for each in said)
+
+
 def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[int]) -> float:
-    """Return the likelihood that a person names a cycle."""
+    """Return the likelihood that a person names a cycle.
+
+    An input that has one level in all of the cycle is no change that anybody makes.
+    """
     outputs = frozenset[int]().union(*(each.outputs for each in transitions))
-    value = MOVE * len(work) + OUTPUT * len(outputs) - BEFORE * len(visit.timeline)
+    value = MOVE * len(work) + OUTPUT * bool(outputs) - BEFORE * len(visit.timeline)
+    levels: dict[Channel, set[object]] = {}
     for each in transitions:
-        changes = sum(one.table != "answer" for one in each.causes)
-        value -= CHANGE * changes + ANSWER * (len(each.causes) - changes) + TOGETHER * max(changes - 1, 0)
-        value -= BY_ITSELF * each.is_by_itself + CUT * each.is_cut
-    return value
+        for one in each.causes:
+            levels.setdefault(one.channel, set()).add(one.value)
+    for each in transitions:
+        made = [one for one in each.causes if one.table != "input" or len(levels[one.channel]) > 1]
+        answers = sum(one.table == "answer" for one in made)
+        value -= CHANGE * (len(made) - answers) + ANSWER * answers
+        value -= TOGETHER * max(len(each.causes) - answers - 1, 0) + KEPT * (len(each.causes) - len(made))
+        value -= BY_ITSELF * each.is_by_itself + CUT * each.is_cut + SECOND * each.seconds
+        value -= STATE * (not answers)
+    said = (act.words for each in transitions for act in each.acts if not act.subject)
+    return value + STATE - SWITCHED * len(outputs) - WRONG * bool(_wrong(said))

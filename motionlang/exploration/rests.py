@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import accumulate, chain, pairwise
 from math import inf
+from operator import itemgetter
 from typing import NamedTuple
 
-from motionlang.exploration.trials import HANDLERS, Begun, Trial, TrialMotion
+from motionlang.exploration.changes import Channel
+from motionlang.exploration.memory import Memory
+from motionlang.exploration.recorder import HANDLERS, Begun
+from motionlang.exploration.trials import Trial, TrialMotion
+from motionlang.kernel.log import Waited
 
 # What begins so soon after another statement of a loop belongs to it, s.
 BODY = 0.1
@@ -18,14 +23,20 @@ BODY = 0.1
 SHORTEST_REST = 0.15
 # A rest that lasts has lasted for so long when a trial ends, s.
 QUIET = 0.4
+# Times that differ by less are the same, s.
+EXACT = 1e-4
 
 
 class TaskRest(NamedTuple):
-    """The place where a task rests: the statements that it repeats or waits at, and the calls that lead there."""
+    """The place where a task rests: the statements that it repeats or waits at, and the calls that lead there.
+
+    `memory` are the variables that decide what it does later, by their numbers, with their values.
+    """
 
     task: str
     statements: frozenset[int]
     callers: tuple[int, ...] = ()
+    memory: tuple[tuple[int, object], ...] = ()
 
 
 # The state of a machine at rest: that of each task that works, in the order of their names.
@@ -35,28 +46,34 @@ RestState = tuple[TaskRest, ...]
 class Rest(NamedTuple):
     """A stay in a rest state: its times, s; `end` is infinite if only a change of the world ends it.
 
-    `question` is that of an INPUT that has no answer.
+    `question` is that of an INPUT that has no answer. `reads` are the channels that were read while it lasted, by the
+    source offset of the statement that did.
     """
 
     begin: float
     end: float
     state: RestState
     question: str | None = None
+    reads: Mapping[int, Sequence[Channel]] = {}
 
 
 class _Stay(NamedTuple):
-    """A stay of one task."""
+    """A stay of one task; its statements began to wait or to repeat at `since`, when axes may still have moved."""
 
+    since: float
     begin: float
     end: float
     place: TaskRest
     question: str | None = None
 
 
-def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
+def rests(
+    trial: Trial, beside: frozenset[int], memory: Memory, forgotten: Collection[int] = ()
+) -> list[Rest]:
     """Return the rests of a machine from `trial.since` on: the times at which each task rests that works.
 
-    The statements `beside` are those of tasks that do not count. A task that never rests does not count either.
+    The statements `beside` are those of tasks that do not count. A task that never rests does not count either. The
+    variables of the memory count, but for those that are `forgotten`.
     """
     moves = _Motions(trial.motions)
     stays: dict[str, list[_Stay]] = defaultdict(list)
@@ -66,6 +83,7 @@ def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
     active = {task: _activity(task, trial) for task in stays}
     times = sorted({time for each in chain.from_iterable(stays.values()) for time in (each.begin, each.end)})
     found: list[Rest] = []
+    begun: list[float] = []
     for begin, end in pairwise(times):
         at_rest = [
             next((each for each in stays[task] if each.begin <= begin and end <= each.end), None)
@@ -77,20 +95,59 @@ def rests(trial: Trial, beside: frozenset[int]) -> list[Rest]:
             continue
         question = next((each.question for each in known if each.question is not None), None)
         rest = Rest(begin, end, tuple(each.place for each in known), question)
+        since = min([begin, *(each.since for each in known)])
         if found and found[-1].state == rest.state and found[-1].end == begin:
             found[-1] = found[-1]._replace(end=end, question=question)
         else:
             found.append(rest)
+            begun.append(since)
     is_cut = trial.status == "until" and not trial.is_stuck and not trial.is_idle
     return [
-        each
-        for each in found
+        each._replace(
+            state=_with_memory(each, trial, memory, forgotten), reads=_reads(each, since, trial, beside)
+        )
+        for each, since in zip(found, begun, strict=True)
         if (
             trial.time - each.begin > QUIET
             if is_cut and each.end == inf
             else each.end - each.begin > SHORTEST_REST
         )
     ]
+
+
+def _with_memory(rest: Rest, trial: Trial, memory: Memory, forgotten: Collection[int]) -> RestState:
+    """Return the state of a rest with what the program remembers: variables that keep their values while it lasts."""
+    first = bisect_right(trial.memory, rest.begin, key=itemgetter(0))
+    last = bisect_left(trial.memory, min(rest.end, trial.time), key=itemgetter(0))
+    values = [each for _, each in trial.memory[max(first - 1, 0) : max(last, first)]]
+    state = []
+    for place in rest.state:
+        numbers = [(n, memory.all.index(n)) for n in memory.variables(place.statements) if n not in forgotten]
+        kept = [
+            (n, values[0][k])
+            for n, k in numbers
+            if values and all(each[k] == values[0][k] for each in values)
+        ]
+        state.append(
+            place._replace(memory=tuple(each for each in kept if isinstance(each[1], (int, float, str))))
+        )
+    return tuple(state)
+
+
+def _reads(rest: Rest, since: float, trial: Trial, beside: frozenset[int]) -> dict[int, list[Channel]]:
+    """Return the channels that the statements of a rest have read, and those of tasks beside the work meanwhile."""
+    places = frozenset[int]().union(*(each.statements for each in rest.state))
+    found: dict[int, list[Channel]] = {}
+    for at, channels in trial.readings.items():
+        begin = since if at in places else rest.begin if at in beside else inf
+        read = [
+            channel
+            for channel, spans in channels.items()
+            if any(begin - EXACT <= each.last and each.first < rest.end for each in spans)
+        ]
+        if read:
+            found[at] = read
+    return found
 
 
 def _activity(task: str, trial: Trial) -> tuple[float, float]:
@@ -103,16 +160,26 @@ def _activity(task: str, trial: Trial) -> tuple[float, float]:
 
 
 def _waits(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
-    """Yield the waits for anything but a time that last, without the motion that goes on meanwhile."""
+    """Yield the waits that last, without the motion that goes on meanwhile; not those for nothing but a time."""
     for wait in trial.waits:
         end = wait.until
-        if end <= trial.since or (wait.cause == "time" and end < inf) or (end == inf and trial.has_ended):
+        if end <= trial.since or (end == inf and trial.has_ended):
+            continue
+        if wait.cause == "time" and end < inf and not _has_read(trial, wait):
             continue
         known = trial.time + 1.0 if trial.is_stuck and end == inf else min(end, trial.time)
-        begin = moves.at_rest(max(wait.since, trial.since), known)
-        if known - begin > SHORTEST_REST:
-            question = trial.question if end == inf and wait.cause == "operator" else None
-            yield _Stay(begin, end, TaskRest(wait.task, frozenset((wait.at,)), wait.callers), question)
+        since = max(wait.since, trial.since)
+        question = trial.question if end == inf and wait.cause == "operator" else None
+        place = TaskRest(wait.task, frozenset((wait.at,)), wait.callers)
+        for begin, until in moves.gaps(since, known):
+            if until - begin > SHORTEST_REST:
+                yield _Stay(since, begin, end if until == known else until, place, question)
+
+
+def _has_read(trial: Trial, wait: Waited) -> bool:
+    """True if a wait has read a channel: its time ends it if nothing else does."""
+    spans = chain.from_iterable(trial.readings.get(wait.at, {}).values())
+    return any(wait.since - EXACT <= each.last and each.first <= wait.until for each in spans)
 
 
 class _Stretch:
@@ -190,7 +257,7 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
             begin = moves.at_rest(stretch.begin, known)
             loop = stretch.loop(known)
             if loop and known - begin >= SHORTEST_REST:
-                yield _Stay(begin, end, TaskRest(name, loop, stretch.callers))
+                yield _Stay(stretch.begin, begin, end, TaskRest(name, loop, stretch.callers))
 
 
 def _stretches(
@@ -233,6 +300,17 @@ class _Motions:
         ordered = sorted(moves, key=lambda each: each.begin)
         self.begins = [each.begin for each in ordered]
         self._ends = list(accumulate((each.end for each in ordered), max))
+
+    def gaps(self, begin: float, end: float) -> Iterator[tuple[float, float]]:
+        """Yield the stretches between two times in which nothing is on its way to an end."""
+        first = bisect_left(self.begins, begin)
+        since = max(begin, self._ends[first - 1]) if first else begin
+        for k in range(first, bisect_left(self.begins, end)):
+            if self.begins[k] > since:
+                yield since, self.begins[k]
+            since = max(since, self._ends[k])
+        if since < end:
+            yield since, end
 
     def at_rest(self, begin: float, end: float) -> float:
         """Return when the motion between two times that goes on last has ended, at most `end`."""

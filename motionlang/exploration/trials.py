@@ -11,16 +11,17 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections import defaultdict
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import inf
 from operator import attrgetter
 from typing import NamedTuple
 
-from motionlang.kernel import CheckedSettings, Hook, Machine, Program, Run, Task, dialect, run, run_on
-from motionlang.kernel.lang import DRIVES, Snapshot
+from motionlang.exploration.changes import Timeline, merged, tables_of
+from motionlang.exploration.memory import Memory
+from motionlang.exploration.recorder import Begun, Readings, TrialRecorder
+from motionlang.exploration.values import written_at
+from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
-from motionlang.kernel.tools import count_of
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
 # while an axis is on its way to an end.
@@ -30,241 +31,12 @@ HORIZONS = (0.5, 1.5, 3.0, 6.0, HORIZON, 36.0, 108.0, 324.0)
 GAP = 0.25
 # A snapshot is taken so long before the changes of its trials, s: longer than a time slice and a few statements.
 LEAD = 0.002
-# A trial ends after so many statements, or if none of so many is the first at its place and none starts a move.
-MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
+# The work of a run that begins, in statements.
+START = 400
 # A trial is no longer than usual if it has made so many moves.
 MAX_MOVES = 300
-# The tables of the machine file with the changes of the world, and those of them that have texts, and no numbers.
-TABLES = ("input", "analogue", "comms", "netdata", "dpr", "modbus.register", "coil", "key", "answer")
-TEXTS = ("key", "answer")
-Entry = dict[str, object]
-# The number of a Modbus register is that in its server, and so many for each number of the server.
-REGISTERS = 65536
-# Where the name of a task would be, in a record of what handlers do.
-HANDLERS = "!"
-
 _ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
 _FIGURE = re.compile(r"[-+]?\d[\d.]*")
-
-
-class Moment(NamedTuple):
-    """The moment of a change of an input: so long after a change at rest, s, while a line moves an axis.
-
-    With a period, `every`, s, the input comes and goes so many times. `line` is 0 at rest.
-    """
-
-    delay: float = 0.0
-    axis: int = 0
-    line: int = 0
-    times: int = 1
-    every: float = 0.0
-
-    def __str__(self) -> str:
-        often = f" {count_of(self.times, 'time')}" if self.every else ""
-        return f"{often} while axis {self.axis} moves (line {self.line})" if self.line else often
-
-
-AT_REST = Moment()
-
-
-class Change(NamedTuple):
-    """A change of the world: an input, an analogue input, a number of a host, a Modbus register, a key, or an answer.
-
-    A key and an answer have the number 0, and their text as the value; `prompt` is the question. `keys_of` splits the
-    number of a register. Only an input changes at another `moment` than at rest.
-    """
-
-    table: str
-    number: int
-    value: float | str
-    prompt: str = ""
-    moment: Moment = AT_REST
-
-    @property
-    def kind(self) -> Hashable:
-        """An input and its level, or another channel and any value of it, at whatever moment."""
-        value = self.value if self.table == "input" else None
-        return self.table, self.number, self.prompt, value
-
-    def levels(self, time: float) -> list[tuple[float, float]]:
-        """Return the times and levels of an input that changes at a time, and comes and goes from then on."""
-        assert isinstance(self.value, (int, float))
-        every = self.moment.every
-        if not every:
-            return [(time, self.value)]
-        return [
-            each
-            for start in (time + k * every for k in range(self.moment.times))
-            for each in ((start, self.value), (start + every / 2, 1 - self.value))
-        ]
-
-    @property
-    def subject(self) -> str:
-        """The name of what is changed."""
-        if self.table in TEXTS:
-            return "a key" if self.table == "key" else f"an answer to {self.prompt!r}"
-        keys = keys_of(self.table, self.number)
-        server = f" of server {keys['server']}" if "server" in keys else ""
-        return f"{DRIVES[self.table][0]} {keys[DRIVES[self.table][1]]}{server}"
-
-    def __str__(self) -> str:
-        if self.table == "input":
-            return f"{self.subject} {'on' if self.value else 'off'}{self.moment}"
-        if self.table == "key":
-            return "key Enter" if self.value == "\r" else f"key {self.value}"
-        if self.table == "answer":
-            return f"{self.prompt!r} {self.value}"
-        assert isinstance(self.value, (int, float))
-        return f"{self.subject} = {self.value:.10g}"
-
-
-def in_words(changes: Iterable[Change]) -> str:
-    """Return changes in words; those in the middle of a move come later."""
-    text = ""
-    for each in changes:
-        text += f"{', then ' if each.moment.line else ' and '}{each}" if text else str(each)
-    return text
-
-
-# Changes with their times, in order.
-Timeline = tuple[tuple[float, Change], ...]
-
-
-def made_at(time: float, changes: Iterable[Change]) -> Timeline:
-    """Return changes with their times: at rest at a time, or at another moment that counts from it."""
-    return tuple((time + each.moment.delay, each) for each in changes)
-
-
-class Begun(NamedTuple):
-    """A statement that began: its time, its source offset, and the offsets of the calls that led there."""
-
-    time: float
-    at: int
-    callers: tuple[int, ...]
-
-
-class TrialRecorder(Hook):
-    """A record of the tasks of a run from a time on: their statements, the inputs that they read, comparisons."""
-
-    def __init__(self, since: float, snapshot_at: float = inf) -> None:
-        super().__init__(lambda task, time, offset: None, between=self._between)
-        self._machine: Machine | None = None
-        self._at = -1
-        self.begin(since, snapshot_at)
-
-    def begin(self, since: float, snapshot_at: float) -> None:
-        """Begin an empty record from a time on, s, and take a snapshot at another one."""
-        self.since, self._snapshot_at = since, snapshot_at
-        # The state of the run at `snapshot_at`, and the statement that had begun last.
-        self.snapshot: tuple[Snapshot, int] | None = None
-        self._clear()
-
-    def _clear(self) -> None:
-        self.count = 0
-        # True if so many statements were nothing new.
-        self.is_idle = False
-        self.statements: dict[str, list[Begun]] = defaultdict(list)
-        # By source offset: left and right side of each comparison, in order.
-        self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
-        # By source offset: the inputs that the statement there has read.
-        self.readings: dict[int, dict[int, None]] = defaultdict(dict)
-        # The offsets of the statements that began, and with the comparisons of one which side was the larger one.
-        self.seen: set[int | tuple[int, int, int]] = set()
-        self._comparisons = 0  # of the present statement
-        # The statement that handlers have interrupted; -1 if none runs.
-        self._interrupted = -1
-        self._is_recorded = False
-        # The places since `since`, the moves so far, and the number of the last statement with something new.
-        self._places: set[int] = set()
-        self._moves = self._news = 0
-        # The calls of the last statement of each task: how many, the innermost one, and their offsets.
-        self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
-
-    def attach(self, machine: Machine) -> None:
-        """Watch a run that is about to begin on a machine."""
-        self._machine = machine
-        machine.controller.inputs.observer = self._reads
-        self.expect_changes()
-
-    def expect_changes(self) -> None:
-        """Let no wait before the changes be hopeless."""
-        if self._snapshot_at < inf and self._machine is not None:
-            self._machine.clock.at(self.since, _nothing)
-
-    def _between(self) -> None:
-        assert self._machine is not None
-        if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
-            self.snapshot = Snapshot(self._machine.scheduler), self._at
-
-    def go_back(self) -> bool:
-        """Put the snapshot back and begin another record; False if the program ended before."""
-        if self.snapshot is None:
-            return False
-        snapshot, self._at = self.snapshot
-        snapshot.restore()
-        self._clear()
-        return True
-
-    def _reads(self, channel: int) -> None:
-        self._come_back()
-        if self._at >= 0:
-            self.readings[self._at][channel] = None
-
-    def _come_back(self) -> None:
-        """Go back to the statement that handlers have interrupted when they have ended."""
-        if self._interrupted >= 0 and self._machine is not None:
-            scheduler = self._machine.scheduler
-            if scheduler is None or not scheduler.interrupts:
-                self._at, self._interrupted, self._comparisons = self._interrupted, -1, 0
-
-    def begins(self, task: Task, time: float, offset: int) -> bool:
-        """Record a statement, and end the run if it only repeats."""
-        self.count += 1
-        assert self._machine is not None
-        scheduler = self._machine.scheduler
-        if scheduler is None or not scheduler.interrupts:
-            self._interrupted = -1
-        elif self._interrupted < 0:
-            self._interrupted = self._at
-        self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
-        if not self._is_recorded:
-            self.seen.add(offset)
-            self._news = self.count
-            return False
-        assert scheduler is not None
-        name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
-        self.statements[name].append(Begun(time, offset, self._callers_of(task)))
-        if offset not in self._places or self._machine.moves_made != self._moves:
-            self._places.add(offset)
-            self.seen.add(offset)
-            self._moves, self._news = self._machine.moves_made, self.count
-        self.is_idle = self.count - self._news >= MAX_REPEATED
-        if self.count < MAX_STATEMENTS and not self.is_idle:
-            return False
-        scheduler.until = time
-        return True
-
-    def _callers_of(self, task: Task) -> tuple[int, ...]:
-        """Return the calls that lead to the present statement, worked out once for each call."""
-        calls = task.calls  # type: ignore[attr-defined]  # tasks of a program run on steps
-        if not calls:
-            return ()
-        depth, innermost, callers = self._callers.get(task.name, (0, None, ()))
-        if depth != len(calls) or innermost is not calls[-1]:
-            callers = task.stack[:-1]
-            self._callers[task.name] = len(calls), calls[-1], callers
-        return callers
-
-    def compared(self, left: object, right: object) -> None:
-        assert self._machine is not None
-        if self._machine.controller.inputs.is_supposed:
-            return  # a hint asks what would end a wait
-        self._come_back()
-        if self._is_recorded or self._machine.clock.now >= self.since:  # a wait compares after it has begun
-            self.comparisons[self._at].append((left, right))
-            if isinstance(left, (int, float)) and isinstance(right, (int, float)):
-                self._comparisons += 1
-                self.seen.add((self._at, self._comparisons, (left > right) - (left < right)))
 
 
 class Act(NamedTuple):
@@ -322,7 +94,8 @@ class Trial(NamedTuple):
     waits: Sequence[Waited]
     statements: Mapping[str, Sequence[Begun]]
     comparisons: Mapping[int, Sequence[tuple[object, object]]]
-    readings: Mapping[int, Mapping[int, None]]
+    readings: Readings
+    memory: Sequence[tuple[float, tuple[object, ...]]]
 
     def part(self, since: float, until: float) -> Trial:
         """Return the trial with only the moves, outputs and prints between two times."""
@@ -373,7 +146,11 @@ class Interrupted(Exception):
 
 
 class Trials:
-    """Runs of one program, a debug build; `base` are the settings that no change replaces."""
+    """Runs of one program, a debug build; `base` are the settings that no change replaces.
+
+    They are over when they have done so much work as `most`: the statements that they have begun, and `START` more for
+    each run. The work is the same on every machine.
+    """
 
     def __init__(
         self,
@@ -384,9 +161,9 @@ class Trials:
     ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self._is_over = is_over
-        self.count = 0
-        # True if so many statements were nothing new.
-        self.is_idle = False
+        self.memory = Memory(self.program.structure)
+        self._written = written_at(self.program)
+        self.count = self.work = 0
         # The run of the last trial, as it is until the next one.
         self.last: Run
         # What any trial has seen.
@@ -397,7 +174,7 @@ class Trials:
     @property
     def is_over(self) -> bool:
         """True if the budget is used up, or the user has ended the exploration."""
-        return self.count >= self.most or self._is_over()
+        return self.work >= self.most or self._is_over()
 
     def give(self, settings: Mapping[str, object]) -> None:
         """Add settings for all later trials."""
@@ -418,7 +195,7 @@ class Trials:
         if since > 0.0:
             recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
-            recorder = TrialRecorder(since)
+            recorder = TrialRecorder(self.memory.all, self._written, since)
             self.last = self._run(tables_of(timeline), until, recorder)
         trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:
@@ -430,8 +207,12 @@ class Trials:
             until = last + horizon
             self.last = self._run_on(self.last.machine, until)
             trial = _trial(timeline, since, self.last, recorder, self.base)
-        self.seen |= recorder.seen
+        self._note_work(recorder)
         return trial
+
+    def _note_work(self, recorder: TrialRecorder) -> None:
+        self.seen |= recorder.seen
+        self.work += START + recorder.count
 
     def _continue(self, timeline: Timeline, since: float, until: float) -> TrialRecorder:
         """Play on from shortly before the changes; bring the run there first if it is not the last start."""
@@ -455,9 +236,9 @@ class Trials:
             self._change(start, before)
             result = self._run_on(start.run.machine, at)
         else:
-            recorder = TrialRecorder(since, at)
+            recorder = TrialRecorder(self.memory.all, self._written, since, at)
             result = self._run(tables_of(before), at, recorder)
-        self.seen |= recorder.seen
+        self._note_work(recorder)
         return Start(before, since, recorder, result)
 
     def _change(self, start: Start, timeline: Timeline) -> None:
@@ -487,88 +268,10 @@ class Trials:
         Without a time the run ends where that of a machine file does.
         """
         self.count += 1
-        recorder = TrialRecorder(inf)
+        recorder = TrialRecorder((), {}, inf)
         result = self._run(tables, until, recorder)
-        self.seen |= recorder.seen
+        self._note_work(recorder)
         return result, {each for each in recorder.seen if isinstance(each, int)}
-
-
-def merged(base: Mapping[str, object], tables: Mapping[str, object]) -> dict[str, object]:
-    """Return settings with the entries of some tables added to their own."""
-    added = {
-        table: [*entries(base, table), *entries(tables, table)] if table in TABLES else value
-        for table, value in tables.items()
-    }
-    return {**base, **added}
-
-
-def entries(settings: Mapping[str, object], table: str) -> list[Entry]:
-    """Return the entries of a table of settings."""
-    found: list[Entry] = settings.get(table, [])  # type: ignore[assignment]
-    return found
-
-
-def given_in(settings: Mapping[str, object]) -> set[tuple[str, int]]:
-    """Return the channels that settings have entries for, as table and number; answers and keys have the number 0."""
-    return {(table, number_in(table, each)) for table in TABLES for each in entries(settings, table)}
-
-
-def keys_of(table: str, number: int) -> Entry:
-    """Return the keys of an entry that name a channel by its number, none for a key or an answer."""
-    if table == "modbus.register":
-        server, number = divmod(number, REGISTERS)
-        return {"server": server, "register": number}
-    return {DRIVES[table][1]: number} if DRIVES[table][1] else {}
-
-
-def number_in(table: str, entry: Entry) -> int:
-    """Return the number of the channel of an entry, 0 for a key or an answer."""
-    server: int = entry.get("server", 0)  # type: ignore[assignment]
-    number: int = entry.get(DRIVES[table][1], 0)  # type: ignore[assignment]
-    return server * REGISTERS + number
-
-
-def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
-    """Return the tables of a machine file with the changes of a timeline; their times count from `since`."""
-    tables: dict[str, list[dict[str, object]]] = defaultdict(list)
-    for time, change in timeline:
-        entry = keys_of(change.table, change.number)
-        if change.table == "input":
-            tables["input"] += (
-                entry | {"at": at - since, "value": level} for at, level in change.levels(time)
-            )
-            continue
-        if change.table != "answer":
-            entry["at"] = time - since
-        elif change.prompt:
-            entry["prompt"] = change.prompt
-        tables[change.table].append(entry | {_value_key(change.table): change.value})
-    return dict(tables)
-
-
-def _value_key(table: str) -> str:
-    return "text" if table in TEXTS else "value"
-
-
-def is_about(change: Change, entry: Entry) -> bool:
-    """True if an entry makes a change."""
-    value = entry[_value_key(change.table)]
-    return value == change.value and number_in(change.table, entry) == change.number
-
-
-def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
-    """Return the levels of the inputs that a timeline has changed by a time."""
-    return {
-        change.number: level
-        for at, change in timeline
-        if change.table == "input"
-        for start, level in change.levels(at)
-        if start <= time + 1e-9
-    }
-
-
-def _nothing() -> None:
-    """Do nothing; an event at which something may change."""
 
 
 # The shapes of profiles without an end of their own.
@@ -596,6 +299,7 @@ def _trial(
         recorder.statements,
         recorder.comparisons,
         recorder.readings,
+        recorder.memory,
     )
 
 

@@ -11,11 +11,14 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import inf, isfinite
-from typing import TypeAlias
+from typing import TYPE_CHECKING
 
-from motionlang.exploration.trials import REGISTERS, TABLES, Change, Trial
+from motionlang.exploration.changes import REGISTERS, Change, Channel
 from motionlang.kernel import Program
-from motionlang.kernel.lang import DRIVES
+from motionlang.kernel.lang import DRIVES, ChannelUse
+
+if TYPE_CHECKING:
+    from motionlang.exploration.trials import Trial
 
 # Two unusual keys, levels, numbers and answers.
 KEYS, LEVELS, NUMBERS, ANSWERS = ("~", "|"), (41.0, 43.0), (7771.0, 7773.0), ("7771", "7773")
@@ -42,22 +45,13 @@ WHOLE = ("netdata", "dpr", "modbus.register", "coil")
 _TABLES = {DRIVES[table][0]: table for table in ("key", "analogue", "comms", *WHOLE)}
 
 
-def probes(program: Program) -> list[tuple[Change, Change, frozenset[int]]]:
-    """Return two unusual changes of each channel with more than two levels that a program reads, and where."""
-    found: dict[tuple[str, int], set[int]] = {}
-    for statement in program.structure.statements.values():
-        for use in statement.channels:
-            if use.access == "read" and use.channel in _TABLES:
-                table = _TABLES[use.channel]
-                found.setdefault((table, _number_of(table, use.number) or 0), set()).add(statement.line)
-    made = []
-    unusual: dict[str, Sequence[float | str]] = {"key": KEYS, "analogue": LEVELS}
-    for table in WHOLE:
-        unusual[table] = [int(each) for each in NUMBERS]
-    for (table, number), lines in found.items():
-        first, second = unusual.get(table, NUMBERS)
-        made.append((Change(table, number, first), Change(table, number, second), frozenset(lines)))
-    return made
+def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
+    """Return two unusual changes of a channel with more than two levels; `question` is that of an answer."""
+    table, number = channel
+    unusual: dict[str, Sequence[float | str]] = {"key": KEYS, "analogue": LEVELS, "answer": ANSWERS}
+    unusual |= {each: [int(number) for number in NUMBERS] for each in WHOLE}
+    first, second = unusual.get(table, NUMBERS)
+    return Change(table, number, first, question), Change(table, number, second, question)
 
 
 def is_probe(change: Change) -> bool:
@@ -65,15 +59,28 @@ def is_probe(change: Change) -> bool:
     return change.table != "input" and change.value in (*KEYS, *LEVELS, *NUMBERS, *ANSWERS)
 
 
-def written(program: Program) -> set[tuple[str, int]]:
-    """Return the channels with more than two levels that a program writes, as table and number."""
+def written_at(program: Program) -> dict[int, set[Channel]]:
+    """Return the channels with more than two levels that statements write and do not read, by source offset."""
+    found: dict[int, set[Channel]] = {}
+    for at, each in program.structure.statements.items():
+        uses = [(use.access == "read", _channel_of(use)) for use in each.channels]
+        read = {channel for is_read, channel in uses if is_read}
+        found[at] = {channel for is_read, channel in uses if channel is not None and not is_read} - read
+    return {at: channels for at, channels in found.items() if channels}
+
+
+def written(program: Program) -> set[Channel]:
+    """Return the channels with more than two levels that a program writes."""
     uses = (use for each in program.structure.statements.values() for use in each.channels)
-    return {
-        (table, number)
-        for use in uses
-        if use.access != "read" and (table := _TABLES.get(use.channel, "")) in TABLES
-        if (number := _number_of(table, use.number)) is not None
-    }
+    found = (_channel_of(use) for use in uses if use.access != "read")
+    return {each for each in found if each is not None}
+
+
+def _channel_of(use: ChannelUse) -> Channel | None:
+    """Return the channel with more than two levels that a statement uses, None if its number is unknown."""
+    table = _TABLES.get(use.channel, "")
+    number = _number_of(table, use.number) if table else None
+    return None if number is None else (table, number)
 
 
 def _number_of(table: str, text: str) -> int | None:
@@ -120,7 +127,7 @@ def counts(trials: Sequence[Trial]) -> list[int]:
 
 
 # The offsets of comparisons, and the sides that they have seen.
-Compared: TypeAlias = frozenset[tuple[int, tuple[object, object]]]
+Compared = frozenset[tuple[int, tuple[object, object]]]
 
 
 def compared_in(trial: Trial) -> Compared:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 
+from motionlang.exploration.changes import in_words
 from motionlang.exploration.cycles import MachineCycle
 from motionlang.exploration.rests import RestState, TaskRest
-from motionlang.exploration.search import StateNode, Transition
-from motionlang.exploration.trials import in_words
+from motionlang.exploration.states import StateNode, Transition
 from motionlang.exploration.world import FoundWorld
 from motionlang.kernel import Program
 from motionlang.kernel.lang import Structure

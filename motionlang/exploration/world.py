@@ -21,25 +21,24 @@ from itertools import pairwise
 from math import fsum, inf
 from typing import NamedTuple
 
-from motionlang.exploration.cycles import MachineCycle
-from motionlang.exploration.rests import BODY, Rest, RestState
-from motionlang.exploration.search import DELAY, Causes, Explorer, delay
-from motionlang.exploration.trials import (
+from motionlang.exploration.changes import (
     AT_REST,
-    HANDLERS,
     Change,
     Entry,
     Moment,
     Timeline,
-    Trial,
-    TrialMotion,
     entries,
     is_about,
     levels_at,
     made_at,
     tables_of,
-    without_figures,
 )
+from motionlang.exploration.cycles import MachineCycle
+from motionlang.exploration.recorder import HANDLERS
+from motionlang.exploration.rests import BODY, Rest, RestState
+from motionlang.exploration.search import Explorer
+from motionlang.exploration.states import DELAY, Causes, delay
+from motionlang.exploration.trials import Trial, TrialMotion, without_figures
 from motionlang.exploration.values import written
 from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
@@ -151,7 +150,8 @@ def played(explorer: Explorer, cycle: MachineCycle, others: Causes = (), times: 
     policy: dict[RestState | None, Causes] = {
         each.source: each.causes for each in cycle.transitions if each.causes
     }
-    timeline: Timeline = (*((0.0, each) for each in others), *cycle.visit.timeline)
+    from_start = policy.pop(None, ())
+    timeline: Timeline = (*((0.0, each) for each in others), *made_at(0.0, from_start), *cycle.visit.timeline)
     at = cycle.visit.time
 
     def is_due(trial: Trial) -> bool:
@@ -186,7 +186,7 @@ def _missing(causes: Causes, timeline: Timeline) -> Causes:
     for each in causes:
         is_there = each.table == "input" and levels.get(each.number, 0.0) == each.value
         if is_there and each.moment != AT_REST:
-            missing.append(each._replace(value=1 - levels[each.number], moment=AT_REST))
+            missing.append(each._replace(value=1 - levels.get(each.number, 0.0), moment=AT_REST))
         if not is_there or each.moment != AT_REST:
             missing.append(each)
     return tuple(missing)
@@ -341,13 +341,16 @@ def _one_by_one(number: int, changes: list[tuple[float, float]]) -> list[Entry]:
 
 
 def _numbers(explorer: Explorer, trial: Trial) -> Iterator[dict[str, list[Entry]]]:
-    """Yield a number of each element of a host that the cycle reads, and that neither it nor the program gives."""
-    lines = {explorer.line(each.at) for begun in trial.statements.values() for each in begun}
-    given = {(each.table, each.number) for _, each in trial.timeline} | written(explorer.program)
-    for first, _, read_in in explorer.probes:
-        if first.table in NUMBERS and (first.table, first.number) not in given and read_in & lines:
-            change = first._replace(value=1.0 if isinstance(first.value, float) else 1)
-            yield {table: list(each) for table, each in tables_of(((0.0, change),)).items()}  # type: ignore[call-overload]
+    """Yield the entries of the numbers of a host that the program reads, and that nothing has changed."""
+    given = {each.channel for _, each in trial.timeline}
+    for table, number in explorer.read:
+        if (
+            table in NUMBERS
+            and (table, number) not in given
+            and (table, number) not in written(explorer.program)
+        ):
+            value = 1.0 if table == "comms" else 1
+            yield tables_of(((0.0, Change(table, number, value)),))  # type: ignore[misc]
 
 
 class _Orders:

@@ -39,12 +39,14 @@ def test_the_command_prints_the_text_of_the_exploration(cell: Cell) -> None:
     assert cell("explore", "press.mnt", "--set", "nothing=1").status == 1
 
 
-def test_an_exploration_ends_when_its_trials_are_used_up() -> None:
+def test_an_exploration_ends_when_its_work_is_done() -> None:
     path = Path(__file__).parent / "timeout.mnt"
     language = dialect_of(path.name)
     assert language is not None
-    few = explore(language.program(Source.read(path), is_debug=True), trials=5)
-    assert few.trials == 5
+    program = language.program(Source.read(path), is_debug=True)
+    little = explore(program, work=1000)
+    assert not little.is_whole
+    assert len(little.nodes) < len(explore(program).nodes)
 
 
 def test_ctrl_c_keeps_what_was_found() -> None:

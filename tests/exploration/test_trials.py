@@ -6,7 +6,8 @@ from math import inf
 
 import pytest
 
-from motionlang.exploration.trials import Change, Timeline, Trial, Trials
+from motionlang.exploration.changes import Change, Timeline
+from motionlang.exploration.trials import Trial, Trials
 from motionlang.kernel import Source, dialect
 
 PROGRAM = """\

@@ -62,6 +62,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import TEST as TEST
     from motionlang.kernel.lang.steps import UNTIL as UNTIL
     from motionlang.kernel.lang.steps import Step as Step
+    from motionlang.kernel.lang.steps import Uses as Uses
     from motionlang.kernel.lang.steps import Values as Values
     from motionlang.kernel.lang.structure import READ as READ
     from motionlang.kernel.lang.structure import WRITE as WRITE
@@ -96,7 +97,7 @@ PUBLIC = {
     "structure": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
     "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
-    "steps": "Step Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
+    "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
     "step_graph": "StepGraph",
     "step_task": "StepTask",
     "debugging": "Frame",

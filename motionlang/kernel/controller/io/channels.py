@@ -146,8 +146,10 @@ class AnalogueInputs(Channels):
 
     def __getitem__(self, channel: int) -> float:
         if channel in self.computed and (level := self.computed[channel].level()) is not None:
+            if self.observer is not None:
+                self.observer(channel)
             return level
-        return self._values.get(channel, 0)
+        return super().__getitem__(channel)
 
     def set(self, channel: int, value: float) -> bool:
         """Set a channel; return True if that changed it."""

@@ -41,16 +41,22 @@ class HostMemory:
         self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
         self.listeners: list[Listener] = []
         self.mapping = mapping
+        # Called with the area and the element that the program reads; None if that is not observed.
+        self.observer: Callable[[str, int], None] | None = None
 
     # ------------------------------------------------------------------------------------- the program's side
 
     def integer(self, area: str, element: int) -> int:
+        if self.observer is not None:
+            self.observer(area, element)
         return self._words[area][_checked(area, element)]
 
     def set_integer(self, area: str, element: int, value: int) -> None:
         self._words[area][_checked(area, element)] = value
 
     def real(self, area: str, element: int) -> float:
+        if self.observer is not None:
+            self.observer(area, element)
         return self._floats[area][_checked(area, element)]
 
     def set_real(self, area: str, element: int, value: float) -> None:
@@ -62,7 +68,8 @@ class HostMemory:
 
     def write(self, area: str, first: int, words: Sequence[int]) -> None:
         """Write elements from the host, given as signed 32-bit integers."""
-        changed = [self.integer(area, first + k) != word for k, word in enumerate(words)]
+        known = self._words[area]
+        changed = [known[_checked(area, first + k)] != word for k, word in enumerate(words)]
         for k, word in enumerate(words):
             self.set_integer(area, first + k, word)
         for k, each in enumerate(changed):

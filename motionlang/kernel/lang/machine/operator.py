@@ -45,6 +45,8 @@ class Operator:
         self.asking = False
         self._typed = ""
         self._held_key, self._until = 0, -1.0
+        # Called when the program reads a key; None if that is not observed.
+        self.observer: Callable[[], object] | None = None
         # The lines typed ahead: the text, and the prompt that it answers ("" for any).
         self.lines: list[tuple[str, str]] = []
         self._number = number
@@ -81,10 +83,14 @@ class Operator:
 
     def next_key(self) -> int:
         """Return the next pressed key, or 0 if there is none."""
+        if self.observer is not None:
+            self.observer()
         return self.keys.pop(0) if self.keys else 0
 
     def held_key(self) -> int:
         """Return the key that is held down now, or 0."""
+        if self.observer is not None:
+            self.observer()
         return self._held_key if self._clock.now < self._until else 0
 
     @property

@@ -80,6 +80,8 @@ class Servers:
 
     def read(self, number: int, register: int, count: int) -> list[int]:
         """Return registers of a server; raise Rejected if it does not answer."""
+        if self._machine.read_observer is not None:
+            self._machine.read_observer("modbus.register", number * (LAST + 1) + register)
         words = self._reached(number, register, count).words
         return [words.get(register + k, 0) for k in range(count)]
 
@@ -202,6 +204,8 @@ class Coils:
     def __init__(self, environment: Environment) -> None:
         self._stimuli = environment.controller.stimuli
         self.values = Channels(environment.clock)
+        if environment.machine.read_observer is not None:
+            self.values.observer = partial(environment.machine.read_observer, "coil")
         for entry in environment.machine.settings.get("coil", ()):  # type: ignore[attr-defined]
             self._schedule(entry)
         environment.machine.receivers["coil"] = self._schedule

@@ -1,0 +1,169 @@
+"""What a program remembers at rest: the variables whose values decide what it does later.
+
+Problem. A machine that waits at the same statement need not be in the same state: after a look that failed, `good = 0`
+decides minutes later that the part is bad. Most variables decide nothing, or are written again before they do.
+
+Idea. A variable counts at a statement if some path from there comes to a decision that depends on its value: a branch,
+a conditional wait, the limit of a loop, a computed jump. That is the analysis of faint variables, backward over the
+steps: a decision needs what it reads; an assignment needs what it reads only if what it sets is needed.
+
+    good = 1            good is not needed before this
+    Pause INX(3)        good: the If below reads it
+    n = n + 1           n is needed by nothing but itself, and so it is faint
+    If good = 1 Then …
+
+Calls and returns are linked without their context, so a variable may be needed on a path that no call takes. A variable
+that counts, as `n = n + 1` does, or takes a number of the world, as `n = COMMS(2)` does, is left out: each value would
+be a new state.
+
+Invariants. The numbers of variables are those of `Uses`, and so of the list of shared variables of any run of the
+program. Variables of a call are part of the analysis and of no result.
+
+Cost. Each point is visited once for each bit that reaches it.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict, deque
+from collections.abc import Iterable
+from functools import cached_property
+
+from motionlang.kernel.lang import CALL, ENTER, GO, READ, RETURN, Structure, Uses
+
+# The channels with two levels.
+INPUTS = ("input", "input bank")
+# Variables with larger numbers stand for what is outside, such as the memory of a host.
+MAX_SHARED = 1 << 20
+# A variable is counted through another one within so many steps.
+MAX_CHAIN = 12
+
+
+class Memory:
+    """The variables that decide later, by the source offset of a statement."""
+
+    def __init__(self, structure: Structure) -> None:
+        self._graph = structure.graph
+        self._structure = structure
+        self._bits: dict[tuple[str, int], int] = {}
+        needed = self._needed()
+        counting = self._counting() | self._given()
+        self._at: defaultdict[int, int] = defaultdict(int)
+        for p, point in enumerate(self._graph.points):
+            self._at[point.at] |= needed[p]
+        self._shared = {
+            bit: n
+            for (own, n), bit in self._bits.items()
+            if not own and 0 <= n < MAX_SHARED and not bit & counting
+        }
+
+    def variables(self, offsets: Iterable[int]) -> list[int]:
+        """Return the shared variables that count at each of some statements, in order.
+
+        A loop that assigns to a variable before it reads it does not remember it.
+        """
+        found = -1
+        for each in offsets:
+            found &= self._at.get(each, 0)
+        return sorted(n for bit, n in self._shared.items() if bit & found)
+
+    @cached_property
+    def all(self) -> list[int]:
+        """All shared variables that count anywhere, in order."""
+        found = 0
+        for bits in self._at.values():
+            found |= bits
+        return sorted(n for bit, n in self._shared.items() if bit & found)
+
+    def _given(self) -> int:
+        """Return the bits of the variables that take a level, a number, a key or an answer of the world."""
+        found = 0
+        for p, use in enumerate(self._graph.uses):
+            statement = self._structure.statements.get(self._graph.points[p].at)
+            read = [] if statement is None else [each for each in statement.channels if each.access == READ]
+            if use is not None and any(each.channel not in INPUTS for each in read):
+                found |= self._mask(p, use.sets)
+        return found
+
+    def _counting(self) -> int:
+        """Return the bits of the variables that are set to a sum with themselves, at once or through another one."""
+        found = 0
+        for p, use in enumerate(self._graph.uses):
+            if use is None:
+                continue
+            found |= self._mask(p, (use.reads - use.nonlinear) & use.sets)
+            # MCCL counts in its accumulator: RA20,AA1,AR20.
+            held, q, has_changed = use.sets, p, False
+            for _ in range(MAX_CHAIN if use.reads else 0):
+                if not held or len(self._graph.within[q]) != 1:
+                    break
+                q = self._graph.within[q][0]
+                later = self._graph.uses[q] if q < len(self._graph.uses) else None
+                if later is None or later.nonlinear & held:
+                    break
+                if held <= later.sets:
+                    if not held <= later.reads:
+                        break
+                    has_changed = True
+                elif held <= later.reads:
+                    found |= self._mask(q, later.sets & use.reads) if has_changed else 0
+        return found
+
+    def _mask(self, p: int, variables: Iterable[int]) -> int:
+        """Return the bits of the variables of a point; one of a call has a bit for each list of steps."""
+        own = "" if self._graph.enters else self._graph.points[p].key[0]
+        found = 0
+        for n in variables:
+            key = (own if n < 0 else "", n)
+            found |= self._bits.setdefault(key, 1 << len(self._bits))
+        return found
+
+    def _needed(self) -> list[int]:
+        """Return the bits of the variables that are needed before each point, to a fixed point."""
+        points, uses, statements = self._graph.points, self._graph.uses, self._structure.statements
+        following = self._following()
+        before: list[list[int]] = [[] for _ in points]
+        for p, onward in enumerate(following):
+            for q in onward:
+                before[q].append(p)
+        decides: list[int] = []
+        carries: list[tuple[int, int, int]] = []
+        for p, point in enumerate(points):
+            use = (uses[p] if p < len(uses) else None) or Uses()
+            statement = statements.get(point.at)
+            waits = statement is not None and bool(statement.waits) and bool(statement.condition)
+            is_decision = point.branches or waits or point.kind in (CALL, GO)
+            decides.append(self._mask(p, use.reads) if is_decision else 0)
+            carries.append((self._mask(p, use.sets), self._mask(p, use.parts), self._mask(p, use.reads)))
+        needed = [0] * len(points)
+        waiting = deque(reversed(range(len(points))))
+        queued = set(waiting)
+        while waiting:
+            p = waiting.popleft()
+            queued.discard(p)
+            after = 0
+            for q in following[p]:
+                after |= needed[q]
+            sets, parts, reads = carries[p]
+            bits = decides[p] | (after & ~sets) | (reads if after & (sets | parts) else 0)
+            if bits | needed[p] != needed[p]:
+                needed[p] |= bits
+                for q in before[p]:
+                    if q not in queued:
+                        queued.add(q)
+                        waiting.append(q)
+        return needed
+
+    def _following(self) -> list[list[int]]:
+        """Return the points that may follow each point, into calls and behind all calls of a list that returns."""
+        points = self._graph.points
+        lists = {p: name for name, own in self._graph.ranges.items() for p in own}
+        behind: defaultdict[str, list[int]] = defaultdict(list)
+        following = [list(self._graph.within[p]) for p in range(len(points))]
+        for p, point in enumerate(points):
+            if point.kind in (CALL, ENTER) and point.calls >= 0:
+                following[p].append(point.calls)
+                behind[lists.get(point.calls, "")] += point.next
+        for p, point in enumerate(points):
+            if point.kind == RETURN or not following[p]:
+                following[p] += behind.get(lists.get(p, ""), ())
+        return following

@@ -1,0 +1,297 @@
+"""What is asked of a state: the changes of the world that may lead on from it, the likeliest first.
+
+Problem. A condition may need an input, a number, a key, or several of them at once, and no text says which.
+
+Idea. What was read decides. A statement that has read a channel while the state lasted may wait for it, so that channel
+changes: an input to its other level, a number to the values at which the comparisons turn that follow (`values.py`).
+
+    one by one         each channel that was read, and each input that starts a handler
+    of conditions      the channels of one statement together: two of them, then three
+    behind             what led on, with one more channel that was read on the way, such as a look that decides
+    with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
+    in a move          an input that was read while an axis moved, or starts a handler, in the middle of the move
+
+Cost. A number takes two trials with unusual values to be solved. Of one statement not more than `MAX_TOGETHER`
+channels are changed at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from itertools import chain, combinations, product
+from math import inf
+from typing import TYPE_CHECKING
+
+from motionlang.exploration.changes import TEXTS, Change, Channel, Moment, levels_at
+from motionlang.exploration.rests import BODY, EXACT, SHORTEST_REST, Rest
+from motionlang.exploration.states import Causes, ChangeInMove, StateNode, Visit
+from motionlang.exploration.trials import Trial, TrialMotion
+from motionlang.exploration.values import (
+    ANSWERS,
+    compared_in,
+    counts,
+    level_of_bit,
+    probes_of,
+    solved,
+    usual_answers,
+)
+
+if TYPE_CHECKING:
+    from motionlang.exploration.search import Explorer
+
+# So many trials show that a program counts how often an input comes: without it, once, twice.
+ENOUGH = 3
+# The period of an input that comes and goes at rest, s.
+PERIOD = 0.4
+# So many channels of one condition change at once, and so many values of a number are tried with another channel.
+MAX_TOGETHER, MAX_SOLVED = 3, 6
+# A condition has so many channels; a statement that has read more of them stands for several conditions.
+MAX_CONDITION = 4
+# A statement that has read more inputs than this reads a bank.
+MAX_READ = 8
+
+
+def at_power_up(explorer: Explorer, trial: Trial, rest: Rest | None) -> Iterator[Causes]:
+    """Yield the changes at power-up: of each input that is read before the first rest."""
+    read = _read_before(explorer, trial, rest)
+    yield from ((_flipped(each, {}),) for each in read if each[0] == "input")
+
+
+def one_by_one(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
+    """Yield the changes of each channel that was read in a state, and the answers to its question."""
+    levels = visit.levels
+    read = _channels(explorer, node, visit)
+    inputs = [each for each in read if each[0] == "input"]
+    inputs += [("input", each) for each in sorted(explorer.triggers)]
+    for channel in dict.fromkeys(inputs):
+        change = _flipped(channel, levels)
+        yield (change,)
+        if channel[1] in explorer.counters and node.state is not None:
+            yield from _counted(explorer, node, visit, (), partial(_pulses, change))
+    if visit.question is not None:
+        yield from _answers(explorer, node, visit)
+        return
+    for channel in read:
+        if channel[0] not in ("input", *TEXTS[1:]):
+            yield from _values(explorer, node, visit, channel)
+
+
+def as_before(explorer: Explorer, node: StateNode) -> Iterator[Causes]:
+    """Yield what leads on from the states at the same place, where the program remembers something else."""
+    for other in explorer.same_place(node):
+        yield from dict.fromkeys(each.causes for each in list(other.transitions) if each.causes)
+
+
+def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
+    """Yield the changes of several channels that one statement of a state has read."""
+    levels = visit.levels
+    for at, read in list(node.reads.items()):
+        channels = _that_matter(explorer, visit, at, list(read))
+        choices = [each for channel in channels if (each := _choices(node, channel, levels))]
+        # Numbers of which nothing follows: the rest of the condition decides before they are compared.
+        unsolved = [each for each in channels if each[0] not in ("input", *TEXTS) and each not in node.solved]
+        most = MAX_TOGETHER if len(channels) <= MAX_CONDITION else 2
+        for count in range(2, min(len(channels), most) + 1):
+            for some in combinations(choices, count):
+                yield from (tuple(sorted(each)) for each in product(*some))
+            for some in combinations(choices, count - 1):
+                for others, channel in product(product(*some), unsolved):
+                    yield from _compared(explorer, node, visit, others, channel)
+        if len(choices) > MAX_TOGETHER:
+            inputs = [each[0] for each in choices if each[0].table == "input"]
+            yield tuple(sorted(inputs))
+
+
+def behind(
+    explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, trial: Trial, rest: Rest | None
+) -> Iterator[Causes]:
+    """Yield changes that lead on with one more channel that was read behind them, until the next rest."""
+    yield from with_more(explorer, node, visit, causes, _read_before(explorer, trial, rest))
+
+
+def with_more(
+    explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, read: Iterable[Channel]
+) -> Iterator[Causes]:
+    """Yield changes with one more of some channels."""
+    changed = {each.channel for each in causes}
+    for channel in read:
+        if channel in changed or channel in explorer.given or channel[0] in TEXTS:
+            continue
+        if channel[0] == "input":
+            yield tuple(sorted((*causes, _flipped(channel, visit.levels))))
+        else:
+            yield from _compared(explorer, node, visit, causes, channel)
+
+
+def _read(
+    explorer: Explorer, trial: Trial, since: float, until: float, without: frozenset[int] = frozenset()
+) -> list[Channel]:
+    """Return the channels that a trial has read between two times, but for some statements."""
+    found: dict[Channel, None] = {}
+    for at, channels in list(trial.readings.items()):
+        read = [
+            channel
+            for channel, spans in channels.items()
+            if any(since - EXACT <= each.last and each.first <= until for each in spans)
+        ]
+        if read and at not in without:
+            found |= dict.fromkeys(_that_matter(explorer, None, at, read))
+    return list(found)
+
+
+def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None) -> list[Channel]:
+    """Return the channels that lead to a rest: those that other statements than its own have read until then."""
+    until = inf if rest is None else rest.begin + BODY
+    places = frozenset[int]().union(*(each.statements for each in (rest.state if rest else ())))
+    return _read(explorer, trial, trial.since, until, places)
+
+
+def _channels(explorer: Explorer, node: StateNode, visit: Visit) -> list[Channel]:
+    """Return the channels that were read in a state; of a bank those that matter."""
+    read = [_that_matter(explorer, visit, at, list(channels)) for at, channels in list(node.reads.items())]
+    return list(dict.fromkeys(chain.from_iterable(read)))
+
+
+def _that_matter(explorer: Explorer, visit: Visit | None, at: int, read: Sequence[Channel]) -> list[Channel]:
+    """Return the channels of a statement that no person has given; of a bank those that need their other level.
+
+    They are found by halves, by the comparisons that differ.
+
+    Where a bank is only read on the way, `visit` is None: its inputs are not known before a state reads it.
+    """
+    free = [each for each in read if each not in explorer.given]
+    if len(free) <= MAX_READ:
+        return free
+    if at not in explorer.banks and visit is None:
+        return []
+    if at not in explorer.banks and visit is not None:
+        levels = visit.levels
+        usual = compared_in(explorer.play(visit.timeline, 0.0))
+        left, found = [free], list[Channel]()
+        while left and not explorer.trials.is_over:
+            some = left.pop()
+            changes = tuple(_flipped(each, levels) for each in some)
+            new = compared_in(explorer.changed(visit, changes)) - usual
+            if not new:
+                continue
+            if len(some) == 1:
+                if level_of_bit(usual, new) == changes[0].value:
+                    found.append(some[0])
+            else:
+                middle = len(some) // 2
+                left += [some[middle:], some[:middle]]
+        explorer.banks[at] = found
+    return explorer.banks[at]
+
+
+def _flipped(channel: Channel, levels: dict[int, float]) -> Change:
+    """Return the change of an input to its other level."""
+    return Change("input", channel[1], 1.0 - levels.get(channel[1], 0.0))
+
+
+def _choices(node: StateNode, channel: Channel, levels: dict[int, float]) -> tuple[Change, ...]:
+    """Return the changes of a channel that a condition may need."""
+    if channel[0] == "input":
+        return (_flipped(channel, levels),)
+    return node.solved.get(channel, ())[:MAX_SOLVED]
+
+
+# ------------------------------------------------------------------------------------------------------- numbers
+
+
+def _values(explorer: Explorer, node: StateNode, visit: Visit, channel: Channel) -> Iterator[Causes]:
+    """Yield the changes of a channel with more than two levels, by the comparisons that follow."""
+    for causes in _compared(explorer, node, visit, (), channel):
+        node.solved[channel] = (*node.solved.get(channel, ()), *causes)
+        yield causes
+
+
+def _compared(
+    explorer: Explorer, node: StateNode, visit: Visit, others: Causes, channel: Channel, question: str = ""
+) -> Iterator[Causes]:
+    """Yield the changes to values at which the comparisons behind two of a channel turn."""
+    if explorer.trials.is_over:
+        return
+    first, second = probes_of(channel, question)
+    both = [tuple(sorted((*others, probe))) for probe in (first, second)]
+    trials = [explorer.changed(visit, causes) for causes in both]
+    yield from (tuple(sorted((*others, each))) for each in solved(first, second, *trials))
+    # Last, so that what an unusual value does is known of a value that a person would give.
+    for causes, trial in zip(both, trials, strict=True):
+        explorer.arrive(node, visit, causes, trial)
+
+
+def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
+    """Yield answers to the question of a state: usual ones, and those that comparisons tell apart."""
+    assert visit.question is not None
+    first = Change("answer", 0, ANSWERS[0], visit.question)
+    given: set[str] = set()
+    # A rejected answer may print the range of the right ones.
+    while left := [each for each in usual_answers(node.printed) if each not in given]:
+        given.add(left[0])
+        yield (first._replace(value=left[0]),)
+    yield from _compared(explorer, node, visit, (), ("answer", 0), visit.question)
+
+
+# ------------------------------------------------------------------------------------------------------ in moves
+
+
+def changes_in_moves(explorer: Explorer, trial: Trial, since: float, until: float) -> list[ChangeInMove]:
+    """Return the inputs that are read while an axis moves, or that start a handler."""
+    motions: dict[int, TrialMotion] = {}
+    for each in trial.part(since, until).motions:
+        if each.words and each.end - each.begin > SHORTEST_REST:
+            motions.setdefault(each.line, each)
+    found = []
+    for motion in motions.values():
+        levels = levels_at(trial.timeline, motion.begin)
+        onward = frozenset(each.line for each in motions.values() if each.begin > motion.begin)
+        read = _read(explorer, trial, motion.begin + 2 * EXACT, motion.end - EXACT)
+        inputs = (*(number for table, number in read if table == "input"), *sorted(explorer.triggers))
+        for number in dict.fromkeys(inputs):
+            possible = ChangeInMove(_flipped(("input", number), levels), motion, onward)
+            if possible.key not in explorer.changed_in:
+                found.append(possible)
+    return found
+
+
+def in_moves(
+    explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, possible: Sequence[ChangeInMove]
+) -> Iterator[Causes]:
+    """Play the changes with one more in the middle of a move, where none was yet; yield those that are counted."""
+    for each in possible:
+        if explorer.trials.is_over:
+            return
+        if each.key in explorer.changed_in:
+            continue
+        explorer.changed_in.add(each.key)
+        once = each.added(causes, visit.change_time)
+        explorer.arrive(node, visit, once, explorer.changed(visit, once))
+        if each.change.number in explorer.triggers - explorer.counters:
+            continue
+        often = partial(each.added, causes, visit.change_time)
+        yield from _counted(explorer, node, visit, causes, often)
+
+
+def _counted(
+    explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, often: Callable[[int], Causes]
+) -> Iterator[Causes]:
+    """Yield changes with one more, which comes as often as a program counts it."""
+    tried = [causes, *map(often, range(1, ENOUGH))]
+    trials: list[Trial] = []
+    for each in tried:
+        if explorer.trials.is_over:
+            return
+        trials.append(explorer.changed(visit, each))
+        if len(trials) > 1 and not counts(trials):
+            return
+    yield from map(often, counts(trials))
+    # Last, so that what too few do is known of enough.
+    for each, trial in zip(tried[1:], trials[1:], strict=True):
+        explorer.arrive(node, visit, each, trial)
+
+
+def _pulses(change: Change, times: int) -> Causes:
+    """Return an input that comes and goes so many times at rest."""
+    return (change._replace(moment=Moment(times=times, every=PERIOD)),)

@@ -1,0 +1,204 @@
+"""A record of what the tasks of a run do: statements, readings, comparisons, what the program remembers."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Collection, Mapping, Sequence
+from math import inf
+from typing import NamedTuple
+
+from motionlang.exploration.changes import Channel
+from motionlang.kernel import Hook, Machine, Task
+from motionlang.kernel.lang import Snapshot
+
+# A trial ends after so many statements, or if none of so many is the first at its place and none starts a move.
+MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
+# Readings of a statement that are no further apart are one span, s.
+SAME_SPAN = 1.0
+# Where the name of a task would be, in a record of what handlers do.
+HANDLERS = "!"
+
+
+class Begun(NamedTuple):
+    """A statement that began: its time, its source offset, and the offsets of the calls that led there."""
+
+    time: float
+    at: int
+    callers: tuple[int, ...]
+
+
+class ReadSpan(NamedTuple):
+    """When a statement read a channel again and again: the times of the first and of the last reading, s."""
+
+    first: float
+    last: float
+
+
+# The channels that statements have read, as table and number, with the spans in which they did so.
+Readings = Mapping[int, Mapping[Channel, Sequence[ReadSpan]]]
+
+
+class TrialRecorder(Hook):
+    """A record of the tasks of a run from a time on: their statements, what they read and compare, the memory.
+
+    `remembered` are the numbers of the shared variables whose values are recorded. `written` are the channels that a
+    statement only writes, by its source offset: a write reads the old value, too.
+    """
+
+    def __init__(
+        self,
+        remembered: Sequence[int],
+        written: Mapping[int, Collection[Channel]],
+        since: float,
+        snapshot_at: float = inf,
+    ) -> None:
+        super().__init__(lambda task, time, offset: None, between=self._between)
+        self._remembered, self._written = remembered, written
+        self._machine: Machine | None = None
+        self._at = -1
+        self.begin(since, snapshot_at)
+
+    def begin(self, since: float, snapshot_at: float) -> None:
+        """Begin an empty record from a time on, s, and take a snapshot at another one."""
+        self.since, self._snapshot_at = since, snapshot_at
+        # The state of the run at `snapshot_at`, and the statement that had begun last.
+        self.snapshot: tuple[Snapshot, int] | None = None
+        self._clear()
+        self._remember_now()
+
+    def _clear(self) -> None:
+        self.count = 0
+        # True if so many statements were nothing new.
+        self.is_idle = False
+        self.statements: dict[str, list[Begun]] = defaultdict(list)
+        # By source offset: left and right side of each comparison, in order.
+        self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
+        self.readings: dict[int, dict[Channel, list[ReadSpan]]] = defaultdict(lambda: defaultdict(list))
+        # The values of the remembered variables, each time that one of them has changed.
+        self.memory: list[tuple[float, tuple[object, ...]]] = []
+        # The offsets of the statements that began, and with the comparisons of one which side was the larger one.
+        self.seen: set[int | tuple[int, int, int]] = set()
+        self._comparisons = 0  # of the present statement
+        # The statement that handlers have interrupted; -1 if none runs.
+        self._interrupted = -1
+        self._is_recorded = False
+        # The places since `since`, the moves so far, and the number of the last statement with something new.
+        self._places: set[int] = set()
+        self._moves = self._news = 0
+        # The calls of the last statement of each task: how many, the innermost one, and their offsets.
+        self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
+
+    def attach(self, machine: Machine) -> None:
+        """Watch a run that is about to begin on a machine."""
+        self._machine = machine
+        machine.observe_reads(self._reads)
+        self.expect_changes()
+
+    def expect_changes(self) -> None:
+        """Let no wait before the changes be hopeless."""
+        if self._snapshot_at < inf and self._machine is not None:
+            self._machine.clock.at(self.since, _nothing)
+
+    def _between(self) -> None:
+        assert self._machine is not None
+        if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
+            self.snapshot = Snapshot(self._machine.scheduler), self._at
+
+    def go_back(self) -> bool:
+        """Put the snapshot back and begin another record; False if the program ended before."""
+        if self.snapshot is None:
+            return False
+        snapshot, self._at = self.snapshot
+        snapshot.restore()
+        self._clear()
+        self._remember_now()
+        return True
+
+    def _reads(self, table: str, number: int) -> None:
+        """Record a reading, as part of a span in which the same statement reads the channel again and again."""
+        assert self._machine is not None
+        at, now = self._place(), self._machine.clock.now
+        if at < 0 or (table, number) in self._written.get(at, ()):
+            return
+        spans = self.readings[at][table, number]
+        if spans and now - spans[-1].last <= SAME_SPAN:
+            spans[-1] = ReadSpan(spans[-1].first, now)
+        else:
+            spans.append(ReadSpan(now, now))
+
+    def _place(self) -> int:
+        """Return the statement that runs, or that of the wait whose condition is checked."""
+        assert self._machine is not None
+        scheduler = self._machine.scheduler
+        if scheduler is not None:
+            if self._interrupted >= 0 and not scheduler.interrupts:  # handlers have ended
+                self._at, self._interrupted, self._comparisons = self._interrupted, -1, 0
+            if scheduler.current.wait is not None:
+                return scheduler.current.at
+        return self._at
+
+    def begins(self, task: Task, time: float, offset: int) -> bool:
+        """Record a statement, and end the run if it only repeats."""
+        self.count += 1
+        assert self._machine is not None
+        scheduler = self._machine.scheduler
+        if scheduler is None or not scheduler.interrupts:
+            self._interrupted = -1
+        elif self._interrupted < 0:
+            self._interrupted = self._at
+        self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
+        if not self._is_recorded:
+            self.seen.add(offset)
+            self._news = self.count
+            return False
+        assert scheduler is not None
+        name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
+        self.statements[name].append(Begun(time, offset, self._callers_of(task)))
+        self._remember(task, time)
+        if offset not in self._places or self._machine.moves_made != self._moves:
+            self._places.add(offset)
+            self.seen.add(offset)
+            self._moves, self._news = self._machine.moves_made, self.count
+        self.is_idle = self.count - self._news >= MAX_REPEATED
+        if self.count < MAX_STATEMENTS and not self.is_idle:
+            return False
+        scheduler.until = time
+        return True
+
+    def _remember_now(self) -> None:
+        """Record the memory as it is when a record begins."""
+        scheduler = None if self._machine is None else self._machine.scheduler
+        if scheduler is not None:
+            self._remember(scheduler.parent, self.since)
+
+    def _remember(self, task: Task, time: float) -> None:
+        shared = task.loops_of_all.world.shared  # type: ignore[attr-defined]  # tasks of a program run on steps
+        values = tuple([shared[n] for n in self._remembered])
+        if not self.memory or self.memory[-1][1] != values:
+            self.memory.append((time, values))
+
+    def _callers_of(self, task: Task) -> tuple[int, ...]:
+        """Return the calls that lead to the present statement, worked out once for each call."""
+        calls = task.calls  # type: ignore[attr-defined]  # tasks of a program run on steps
+        if not calls:
+            return ()
+        depth, innermost, callers = self._callers.get(task.name, (0, None, ()))
+        if depth != len(calls) or innermost is not calls[-1]:
+            callers = task.stack[:-1]
+            self._callers[task.name] = len(calls), calls[-1], callers
+        return callers
+
+    def compared(self, left: object, right: object) -> None:
+        assert self._machine is not None
+        if self._machine.controller.inputs.is_supposed:
+            return  # a hint asks what would end a wait
+        at = self._place()
+        if self._is_recorded or self._machine.clock.now >= self.since:  # a wait compares after it has begun
+            self.comparisons[at].append((left, right))
+            if isinstance(left, (int, float)) and isinstance(right, (int, float)):
+                self._comparisons += 1
+                self.seen.add((at, self._comparisons, (left > right) - (left < right)))
+
+
+def _nothing() -> None:
+    """Do nothing; an event at which something may change."""
