@@ -695,7 +695,8 @@ def _leading_to_rates(structure: Structure) -> dict[int, str]:
     """Return the statements that write a rate, or a variable that may lead to one, with their texts, by offset."""
     assigning: dict[tuple[str, int], list[int]] = {}
     read_at: dict[int, set[tuple[str, int]]] = {}
-    for point, use in zip(structure.points, structure.graph.uses, strict=True):
+    # The junctions, which are last, use nothing.
+    for point, use in zip(structure.points, structure.graph.uses, strict=False):
         if use is not None:
             own = point.key[0]  # variables of a call have numbers below 0 in each list of steps
             read_at.setdefault(point.at, set()).update((own if n < 0 else "", n) for n in use.reads)

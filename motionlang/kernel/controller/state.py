@@ -24,9 +24,9 @@ class ControllerState:
         self.clock, self.log = clock, log
         self.axes: dict[int, Axis] = {number: Axis(number, self) for number in range(first, first + axes)}
         self.inputs = Channels(clock, log.inputs)
-        self.outputs = Channels(clock, log.outputs, log.here)
+        self.outputs = Channels(clock, log.outputs, log.origin)
         self.analogue_inputs = AnalogueInputs(clock, log)
-        self.analogue_outputs = Channels(clock, log.analogue_outputs, log.here)
+        self.analogue_outputs = Channels(clock, log.analogue_outputs, log.origin)
         # The entries of the machine file that take effect by time or after an output.
         self.stimuli = Stimuli(clock, self.outputs)
         # The events at which pulses of outputs end.

@@ -137,7 +137,7 @@ class Scheduler:
         # The index of the next task, and how often in a row time did not advance while all waited.
         self._next_index = 0
         self._stalls = 0
-        machine.log.locate_by(self.where)
+        machine.log.locate_by(self.where, self.calls)
         self._hook: Hook | None = getattr(machine, "hook", None)
 
     @property
@@ -161,6 +161,11 @@ class Scheduler:
         """
         task = self.parent if self.current.done else self.current
         return -1 if task.done else task.at
+
+    def calls(self) -> tuple[int, ...]:
+        """Return the source positions of the calls that led to `where`, outermost first."""
+        task = self.parent if self.current.done else self.current
+        return () if task.done else task.callers
 
     def start(self, task: Task) -> None:
         """Start a further task now."""

@@ -111,8 +111,11 @@ class StepTask(Task):
 
     @property
     def stack(self) -> tuple[int, ...]:
-        called = (call.steps[call.pc - 1].at for call in self.calls)
-        return (*(at for at in called if at >= 0), self.at)
+        return (*self.callers, self.at)
+
+    @property
+    def callers(self) -> tuple[int, ...]:
+        return tuple([at for call in self.calls if (at := call.steps[call.pc - 1].at) >= 0])
 
     @property
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:

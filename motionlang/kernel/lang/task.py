@@ -56,6 +56,11 @@ class Task:
         return (self.at,)
 
     @property
+    def callers(self) -> tuple[int, ...]:
+        """The source positions of the calls that led to the task's position, outermost first."""
+        return ()
+
+    @property
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:
         """The loops that the task is in, outermost first.
 

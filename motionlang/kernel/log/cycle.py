@@ -15,12 +15,18 @@ occurs twice in a cycle is in half of its own blocks only, and does not cover th
     blocks of B         B C, B C, B C D   A B C …                           typical: B C
 
 The one that covers most is the cycle. A shorter one takes its place if it leaves out little: at most a tenth of the
-time, and less than half of the axes and keys. If the longer one is regular, it leaves out less than a third of the
-keys, and occurs more than four times as often. Then the rest is an interruption, such as a rejected part or a full box,
-and not the work around some pecks.
+time, and less than half of the axes, and of the keys or the moves. If the longer one is regular, it leaves out less
+than a third of the keys or of the moves, and occurs more than three times as often. Then the rest is an interruption,
+such as a rejected part or a full box, and not the work around some pecks.
 
-A move has its direction in its key, since a line may move an axis both ways, and a print its words. If these depend on
-data, so that the repetition covers less with them, they do not count.
+A statement is one key for each way that calls lead to it: a sub that moves an axis is another act for each of its
+callers. A move has its direction in its key, since a line may move an axis both ways, and a print its words. If these
+depend on data, so that the repetition covers less with them, they do not count. The same holds for a sub that calls
+itself.
+
+A piece has what comes once in it. A shorter repetition with a print of its own is a piece, and what is longer holds
+several. A print that comes once in up to eight repetitions makes them one. Without prints, the repetitions are one
+whose targets come again, or advance by a constant: the moves of a table on one line.
 
 Invariants. Nothing depends on the order of a hash: keys are numbered in the order of the log. A cycle has a move that
 is no homing. The times of its name are those that `cycle(…)` of a quantity has.
@@ -35,7 +41,7 @@ import re
 from array import array
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import fsum, isinf
 from statistics import median
@@ -48,10 +54,16 @@ from motionlang.kernel.log.move import CONTINUED
 MIN_OCCURRENCES = 3
 # The share of the blocks with what is typical of them; what occurs twice in a cycle may be in two of three.
 USUAL = 0.67
-# A shorter cycle covers as much of the time of a longer one, and has more of its axes; it is more frequent than so many
-# times, and has more of its keys, if the longer one is regular or not.
+# A shorter cycle covers as much of the time of a longer one, and has more of its axes unless it prints; it is more
+# frequent than so many times, and has more of its keys or moves, if the longer one is regular or not.
 MIN_TIME, MIN_AXES = 0.9, 0.5
-REGULAR, IRREGULAR = (4, 0.67), (1, 0.5)
+REGULAR, IRREGULAR = (3, 0.67), (1, 0.5)
+# If a regular one has a print that the shorter one lacks, that is more frequent than so many prints.
+PRINTED = 8
+# The repetitions that targets may make one, and the share of a target by which two of them are the same.
+MAX_TURNS, SAME_TARGET = 12, 1e-6
+# Targets of axes that start together are one number; this makes each axis count differently.
+_WEIGHT = 0.618034
 # The keys that are tried, those first that take the most time together with what alternates with them.
 MAX_TRIED = 32
 # The newest moves of a run in progress that are searched.
@@ -99,7 +111,8 @@ class _Key(NamedTuple):
     """The acts of a statement.
 
     `what` are the command, axis and line of each of its moves, or kind, number and value of an output. `axes` are those
-    that it moves without homing them. `detail` are the directions of its moves, or the words of its print.
+    that it moves without homing them. `detail` are the calls that lead to it, and the directions of its moves or the
+    words of its print.
     """
 
     kind: str
@@ -110,17 +123,18 @@ class _Key(NamedTuple):
 
 
 class _Events:
-    """Events in the order of time: the numbers of their keys."""
+    """Events in the order of time: the numbers of their keys, and the targets of moves."""
 
-    __slots__ = ("numbers", "times")
+    __slots__ = ("numbers", "targets", "times")
 
     def __init__(self) -> None:
-        self.times, self.numbers = array("d"), array("q")
+        self.times, self.numbers, self.targets = array("d"), array("q"), array("d")
 
-    def add(self, time: float, number: int) -> None:
+    def add(self, time: float, number: int, target: float = 0.0) -> None:
         """Append an event."""
         self.times.append(time)
         self.numbers.append(number)
+        self.targets.append(target)
 
     def merged(self, other: _Events) -> _Events:
         """Return these events and others; of simultaneous ones these are first."""
@@ -129,6 +143,7 @@ class _Events:
         made = _Events()
         made.times = array("d", map(times.__getitem__, order))
         made.numbers = array("q", map(numbers.__getitem__, order))
+        made.targets = array("d", map((self.targets + other.targets).__getitem__, order))
         return made
 
 
@@ -138,7 +153,7 @@ class _Repetition:
 
     `blocks` is the number of its blocks, `times` are those of the key. `typical` keys are in most blocks, `once` those
     that are once in each; `covered` is the time that the typical ones take in the run. Most blocks of one that
-    `is_regular` have the same number of events.
+    `is_regular` have the same number of events. The key occurs `turns` times in each.
     """
 
     key: int
@@ -148,6 +163,7 @@ class _Repetition:
     once: frozenset[int]
     covered: float
     is_regular: bool
+    turns: int = 1
 
 
 def cycle(
@@ -187,6 +203,7 @@ def cycle_so_far(
     Without outputs and prints, which that thread may be writing, it can be a longer one than in the end.
     """
     newest = Log()
+    newest.callers = log.callers
     for move in log.moves.newest(MAX_NEWEST):
         newest.moves.add(move)
     return cycle(newest, now, False, lambda at: 0, owner, homes)
@@ -212,6 +229,11 @@ class _Seen:
             self.keys.append(key)
         return found
 
+    def _task(self, line: int, callers: tuple[int, ...]) -> str | None:
+        """Return the task that executes a line: for a sub that several call, the one that the calls began in."""
+        outer = self._owner(self._line_of(callers[0])) if callers else None
+        return outer or self._owner(line)
+
     def moves(self, log: Log) -> dict[str, _Events]:
         """Return the moves of each task."""
         made: dict[str, _Events] = {}
@@ -219,7 +241,7 @@ class _Seen:
         zeros = [(time, axis) for time, axis, _ in reversed(log.zeros)]
         continued: set[int] = set()
         last: dict[int, float] = {}  # the time of the last move of each line
-        owners: dict[int, str | None] = {}
+        owners: dict[tuple[int, int], str | None] = {}
         parts: dict[tuple[object, ...], int] = {}
         for row in log.moves.rows():
             axis, command, line, time = row.axis, row.command, row.line, row.start_time
@@ -237,29 +259,32 @@ class _Seen:
             if last.get(line) != time:
                 last[line] = time
                 self.lines[line] += 1
-            if line not in owners:
-                owners[line] = self._owner(line)
-            task = owners[line]
+            place = line, row.chain
+            if place not in owners:
+                owners[place] = self._task(line, log.callers[row.chain])
+            task = owners[place]
             if task is None:
                 continue
             # An endless motion has no target but a direction.
             origin = target if isinf(before) else 0.0 if isinf(target) else before
             direction = (target > origin) - (target < origin)
-            fields = command, axis, line, direction
+            fields = command, axis, line, direction, row.chain
             part = parts.get(fields)
             if part is None:
                 # A homing goes to and fro.
                 moved, direction = ((), 0) if self._homes(command) else ((axis,), direction)
                 what = command, axis, line
-                key = _Key(MOVE, (what,), (line,), moved, ((what, direction),))
+                key = _Key(MOVE, (what,), (line,), moved, ((what, direction, log.callers[row.chain]),))
                 part = parts[fields] = self._number(key)
             events = made.get(task)
             if events is None:
                 events = made[task] = _Events()
+            weighted = 0.0 if isinf(target) else target * (1.0 + axis * _WEIGHT)
             if events.times and events.times[-1] == time:
                 events.numbers[-1] = self._joined(events.numbers[-1], part)
+                events.targets[-1] += weighted
             else:
-                events.add(time, part)
+                events.add(time, part, weighted)
         return made
 
     def work(self, moves: _Events) -> int:
@@ -288,14 +313,15 @@ class _Seen:
         known: dict[tuple[object, ...], int | None] = {}
         for stream, made in ((log.outputs, digital), (log.analogue_outputs, analogue)):
             is_digital = made is digital
-            for time, channel, value, at in stream:
+            for time, channel, value, at, chain in stream:
                 if is_digital and value:
                     self.channels[channel] += 1
-                fields = is_digital, channel, value if is_digital else None, at
+                fields = is_digital, channel, value if is_digital else None, at, chain
                 if fields not in known:
                     line = self._line_of(at) if at >= 0 else 0
-                    mine = at >= 0 and self._owner(line) == task
-                    known[fields] = self._number(_Key(OUTPUT, fields[:3], (line,))) if mine else None
+                    mine = at >= 0 and self._task(line, log.callers[chain]) == task
+                    key = _Key(OUTPUT, fields[:3], (line,), (), (log.callers[chain],))
+                    known[fields] = self._number(key) if mine else None
                 number = known[fields]
                 if number is not None:
                     made.add(time, number)
@@ -304,17 +330,19 @@ class _Seen:
     def prints(self, log: Log, task: str) -> _Events:
         """Return the lines that a task prints."""
         made = _Events()
-        lines: dict[int, int] = {}
-        known: dict[tuple[int, str], int] = {}
-        for time, text, at in log.prints:
+        lines: dict[tuple[int, int], int] = {}
+        known: dict[tuple[int, int, str], int] = {}
+        for time, text, at, chain in log.prints:
             self.texts[_FIGURE.sub("\0", text)] += 1
-            if at not in lines:
+            place = at, chain
+            if place not in lines:
                 line = self._line_of(at) if at >= 0 else 0
-                lines[at] = line if at >= 0 and self._owner(line) == task else 0
-            if lines[at]:
-                words = at, _FIGURE.split(text, maxsplit=1)[0].strip()
+                lines[place] = line if at >= 0 and self._task(line, log.callers[chain]) == task else 0
+            if lines[place]:
+                words = at, chain, _FIGURE.split(text, maxsplit=1)[0].strip()
                 if words not in known:
-                    known[words] = self._number(_Key(PRINT, (), (lines[at],), (), (words[1],)))
+                    detail = words[2], log.callers[chain]
+                    known[words] = self._number(_Key(PRINT, (), (lines[place],), (), detail))
                 made.add(time, known[words])
         return made
 
@@ -338,6 +366,7 @@ class _Sequence:
 
     def __init__(self, events: _Events, keys: Sequence[_Key], end: float) -> None:
         self.times, self.numbers, self.keys, self.end = events.times, events.numbers, keys, end
+        self.targets = events.targets
         self.counts = Counter(self.numbers)
         # The usual time from an event to the next, times the number of such events: a long wait does not count.
         spans = {number: array("d") for number in self.counts}
@@ -357,6 +386,7 @@ class _Sequence:
         of = {k: number for number, same in enumerate(variants.values()) for k in same}
         events = _Events()
         events.times, events.numbers = self.times, array("q", [of[k] for k in self.numbers])
+        events.targets = self.targets
         return _Sequence(events, keys, self.end)
 
     def share(self, found: _Repetition) -> float:
@@ -374,18 +404,59 @@ class _Sequence:
             return None
         best = max(found.values(), key=lambda each: (each.covered, len(each.typical)))
         shorter = [each for each in found.values() if self._replaces(each, best)]
-        return max(shorter, key=lambda each: each.blocks, default=best)
+        return self._whole_turns(max(shorter, key=lambda each: each.blocks, default=best))
 
     def _replaces(self, short: _Repetition, long: _Repetition) -> bool:
         """True if what a shorter repetition leaves out is no more than an interruption."""
         rare, keys = REGULAR if long.is_regular else IRREGULAR
+        least = rare * long.blocks
+        if self._prints(short):
+            least = long.blocks
+        elif long.is_regular:
+            left = [self.counts[k] for k in long.typical - short.typical if self.keys[k].kind == PRINT]
+            least = PRINTED * max(left) if left else least
+        one, all_ = ([len(each.typical), self._moves(each)] for each in (short, long))
         axes, all_axes = self._axes(short.typical), self._axes(long.typical)
         return (
             short.covered >= MIN_TIME * long.covered
-            and short.blocks > rare * long.blocks
-            and len(short.typical) > keys * len(long.typical)
-            and len(axes) > MIN_AXES * len(all_axes)
+            and short.blocks > least
+            and any(a > keys * b for a, b in zip(one, all_, strict=True))
+            and (self._prints(short) or len(axes) > MIN_AXES * len(all_axes))
         )
+
+    def _has_fixed_targets(self, found: _Repetition) -> bool:
+        """True if each key of a repetition always has the same target."""
+        first: dict[int, float] = {}
+        typical = found.typical
+        return all(
+            number not in typical or first.setdefault(number, target) == target
+            for number, target in zip(self.numbers, self.targets, strict=True)
+        )
+
+    def _moves(self, found: _Repetition) -> int:
+        return sum(bool(self.keys[k].axes) for k in found.typical)
+
+    def _prints(self, found: _Repetition) -> bool:
+        """True if a repetition has a print that comes once in it."""
+        return any(self.keys[k].kind == PRINT for k in found.once)
+
+    def _whole_turns(self, found: _Repetition) -> _Repetition:
+        """Return a repetition, or as many as have the same targets again, or targets that advance by a constant."""
+        if self._prints(found) or self._has_fixed_targets(found):
+            return found
+        blocks: list[dict[int, list[float]]] = []
+        for number, target in zip(self.numbers, self.targets, strict=True):
+            if number == found.key:
+                blocks.append({})
+            if blocks and number in found.typical and self.keys[number].axes:
+                blocks[-1].setdefault(number, []).append(target)
+        blocks.pop()
+        most = min(MAX_TURNS, len(blocks) // MIN_OCCURRENCES)
+        turns = next((count for count in range(1, most + 1) if _is_exact(blocks, count)), 1)
+        if turns == 1:
+            return found
+        times = found.times[::turns]
+        return replace(found, blocks=len(times) - 1, times=times, once=frozenset(), turns=turns)
 
     def _axes(self, typical: Iterable[int]) -> set[object]:
         return {axis for k in typical for axis in self.keys[k].axes}
@@ -441,13 +512,13 @@ class _Sequence:
     def described(self, found: _Repetition, seen: _Seen, has_ended: bool) -> Cycle:
         """Return a repetition as a cycle, with the name of what happens once in it."""
         kinds = (PRINT, MOVE, OUTPUT)
-        name, named = "", found.key
-        for k in sorted([found.key, *sorted(found.once)], key=lambda k: kinds.index(self.keys[k].kind)):
+        name, times = "", list(found.times)
+        own = [found.key] if found.turns == 1 else []
+        for k in sorted([*own, *sorted(found.once)], key=lambda k: kinds.index(self.keys[k].kind)):
             name = seen.name(self.keys[k], self.counts[k])
             if name:
-                named = k
+                times = [time for time, number in zip(self.times, self.numbers, strict=True) if number == k]
                 break
-        times = [time for time, number in zip(self.times, self.numbers, strict=True) if number == named]
         lines = sorted({line for k in found.typical for line in self.keys[k].lines})
         ends = self._is_first_whole(found, has_ended) + self._is_last_whole(found, has_ended)
         count = found.blocks + (ends or self._are_ends_one(found, has_ended))
@@ -476,6 +547,31 @@ class _Sequence:
         begin = next(place for place, number in enumerate(self.numbers) if number in found.typical)
         before, after = found.times[0] - self.times[begin], self.end - found.times[-1]
         return before > 0.0 and (has_ended or before + after >= median(_gaps(found.times)))
+
+
+def _is_exact(blocks: Sequence[dict[int, list[float]]], turns: int) -> bool:
+    """True if most blocks have the targets of the one so many before them, or targets that advance by a constant."""
+    steps: list[dict[int, float] | None] = []
+    for before, after in zip(blocks, blocks[turns:], strict=False):
+        shifts = {k: [b - a for a, b in zip(before[k], after[k], strict=False)] for k in before if k in after}
+        is_alike = before.keys() == after.keys() and all(len(before[k]) == len(after[k]) for k in before)
+        is_even = all(_is_same(each, one[0]) for one in shifts.values() for each in one)
+        steps.append({k: each[0] for k, each in shifts.items()} if is_alike and is_even else None)
+    same = sum(one is not None and not any(map(_differs, one.values())) for one in steps)
+    advancing = sum(
+        one is not None and two is not None and all(_is_same(two[k], one[k]) for k in one if k in two)
+        for one, two in zip(steps, steps[turns:], strict=False)
+    )
+    pairs = len(steps) - turns
+    return same > USUAL * len(steps) or (pairs > 1 and advancing > USUAL * pairs)
+
+
+def _differs(shift: float) -> bool:
+    return abs(shift) > SAME_TARGET
+
+
+def _is_same(one: float, other: float) -> bool:
+    return abs(one - other) <= SAME_TARGET * max(1.0, abs(one), abs(other))
 
 
 def _gaps(times: Iterable[float]) -> Iterator[float]:

@@ -50,6 +50,16 @@ def nowhere() -> int:
     return -1
 
 
+def by_none() -> tuple[int, ...]:
+    """Return the calls that led to where no program is."""
+    return ()
+
+
+def no_origin() -> tuple[int, int]:
+    """Return the origin of what no program does, as `Log.origin` does."""
+    return -1, 0
+
+
 class Log:
     """The streams of a run, all of them in one store.
 
@@ -95,6 +105,10 @@ class Log:
         self.jumps: dict[int, tuple[tuple[LoggedMove | None, str], int]] = {}
         self.repeated: dict[int, int] = {}
         self.where: Callable[[], int] = nowhere
+        self.calls: Callable[[], tuple[int, ...]] = by_none
+        # The distinct calls that led to a statement, by number; most have none.
+        self._chains: dict[tuple[int, ...], int] = {(): 0}
+        self.callers: list[tuple[int, ...]] = [()]
         self.others: list[Stream[Printed]] = []
         # How many profiles may be made before some are packed.
         self.room = FIRST_CHECK
@@ -106,13 +120,22 @@ class Log:
         """Connect the axes of a controller."""
         self.moves.axes = self.dropped.axes = axes
 
-    def locate_by(self, where: Callable[[], int]) -> None:
-        """Set the function that returns the source offset of an event."""
-        self.where = where
+    def locate_by(self, where: Callable[[], int], calls: Callable[[], tuple[int, ...]] = by_none) -> None:
+        """Set the functions that return the source offset of an event, and those of the calls that led there."""
+        self.where, self.calls = where, calls
 
-    def here(self) -> int:
-        """Return the source offset of the program, -1 without one."""
-        return self.where()
+    def chain(self) -> int:
+        """Return the number of the calls that led to where the program is, which `callers` has."""
+        calls = self.calls()
+        found = self._chains.get(calls)
+        if found is None:
+            found = self._chains[calls] = len(self.callers)
+            self.callers.append(calls)
+        return found
+
+    def origin(self) -> tuple[int, int]:
+        """Return the source offset of the program, -1 without one, and the number of the calls that led there."""
+        return self.where(), self.chain()
 
     def note(
         self,

@@ -26,13 +26,15 @@ class LoggedMove:
     during the move: the profile stays as planned. `action` makes it something other than a move to a
     position. `speed` is the speed that it was loaded with; None means the axis's speed when it starts. `rates` are
     its own acceleration and deceleration, `rates_in_force` those of its present plan, counts/s²; `overridden` is true
-    if the axis's override multiplies its speed.
+    if the axis's override multiplies its speed. `chain` is the number of the calls that led to
+    its statement, -1 until it is loaded or starts.
     """
 
     __slots__ = (
         "action",
         "axis",
         "base",
+        "chain",
         "command",
         "commanded_speed",
         "ended",
@@ -60,6 +62,7 @@ class LoggedMove:
         self.commanded_speed: float | None = None  # the commanded speed, before its axis's limit, counts/s
         self.base: float | None = None
         self.id = 0
+        self.chain = -1
         self.speed: float | None = None
         self.rates: tuple[float | None, float | None] | None = None
         self.rates_in_force: tuple[float, float] | None = None

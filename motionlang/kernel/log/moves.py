@@ -172,13 +172,14 @@ def _row(move: LoggedMove, a: Axis | None, is_live: bool) -> MoveRow:
     return MoveRow(
         move.axis, move.command, move.line, move.target, move.commanded_speed, move.start_time, move.scale,
         move.ended, move.zero, move.offset, move.action is not None, move.overlaid, number, form, numbers,
+        move.chain,
     )  # fmt: skip
 
 
 def _move(row: MoveRow, axes: Mapping[int, Axis]) -> LoggedMove:
     move = (_Overlaid if row.overlaid else LoggedMove)(row.axis, row.command, row.line, row.target)
     move.commanded_speed, move.start_time, move.scale = row.commanded_speed, row.start_time, row.scale
-    move.ended, move.zero, move.offset = row.ended, row.zero, row.offset
+    move.ended, move.zero, move.offset, move.chain = row.ended, row.zero, row.offset, row.chain
     move.action = _OTHER if row.acts else None
     if row.number is not None:
         move.profile = axes[row.axis].profile(row.number)

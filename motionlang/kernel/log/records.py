@@ -19,12 +19,13 @@ class Changed(NamedTuple):
 
 
 class Switched(NamedTuple):
-    """An output changed its value; `at` is -1 if no program ran."""
+    """An output changed its value; `at` is -1 if no program ran. `chain` is as in `MoveRow`."""
 
     time: float
     channel: int
     value: Annotated[float, Values]
     at: int
+    chain: int
 
 
 class Sampled(NamedTuple):
@@ -47,11 +48,12 @@ class Sampled(NamedTuple):
 
 
 class Printed(NamedTuple):
-    """A complete line that was printed; `at` is -1 if no program ran."""
+    """A complete line that was printed; `at` is -1 if no program ran. `chain` is as in `MoveRow`."""
 
     time: float
     text: Annotated[str, ColumnOfTexts]
     at: int
+    chain: int
 
 
 # The causes of a wait: a time, axes, channels, the operator, another task, a host, or any of these in a
@@ -168,6 +170,7 @@ class MoveRow(NamedTuple):
     """A move as it is stored; `acts` is true if it has an action.
 
     Its profile is the one with this `number` on the track of its axis, or has this `form` and `numbers`.
+    `chain` is the number of the calls that led to its statement (`Log.callers`).
     """
 
     axis: int
@@ -185,6 +188,7 @@ class MoveRow(NamedTuple):
     number: int | None
     form: object
     numbers: Annotated[tuple[float, ...], Numbers]
+    chain: int
 
 
 class ProfileRow(NamedTuple):

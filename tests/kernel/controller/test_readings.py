@@ -185,7 +185,7 @@ def test_a_pulse_is_prolonged_by_another_one() -> None:
     c.clock.advance(2.0)
     c.pulse(3, 0.25)
     c.clock.advance(3.0)
-    assert [(round(time, 9), channel, value) for time, channel, value, _ in c.log.outputs] == [
+    assert [(round(time, 9), channel, value) for time, channel, value, *_ in c.log.outputs] == [
         (0.0, 3, 1), (0.3, 4, 1), (0.4, 4, 0), (0.8, 3, 0), (2.0, 3, 1), (2.25, 3, 0),
     ]  # fmt: skip
     assert [c.set_output(3, 1), c.set_output(3, 1), c.set_output(3, 0), c.set_output(5, 0)] == [

@@ -225,7 +225,7 @@ def test_a_log_that_is_full_ends_the_run_and_keeps_what_is_there(small: None) ->
 
     with pytest.raises(Rejected, match="the log of the run has reached"):
         toggle()
-    assert 50 < len(controller.log.outputs) < 10_000
+    assert 40 < len(controller.log.outputs) < 10_000
     assert [change.value for change in controller.log.outputs][:2] == [1, 2]
 
 

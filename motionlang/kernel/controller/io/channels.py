@@ -16,7 +16,7 @@ from motionlang.kernel.log.stream import Stream
 class Channels:
     """Numbered values, 0 until they are set; `changes` is their log.
 
-    The log has `Changed` of inputs, and `Switched` of outputs, if `where` returns the source offset of the program.
+    The log has `Changed` of inputs, and `Switched` of outputs, if `origin` returns where the program is.
 
     `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital
     channels that are on while their level is low. The value of an input is its level; the value of an output is
@@ -25,8 +25,8 @@ class Channels:
 
     __slots__ = (
         "_clock",
+        "_origin",
         "_values",
-        "_where",
         "active_low",
         "changes",
         "is_supposed",
@@ -38,9 +38,9 @@ class Channels:
         self,
         clock: Clock,
         changes: Stream[Changed] | Stream[Switched] | None = None,
-        where: Callable[[], int] | None = None,
+        origin: Callable[[], tuple[int, int]] | None = None,
     ) -> None:
-        self._clock, self.changes, self._where = clock, changes, where
+        self._clock, self.changes, self._origin = clock, changes, origin
         self._values: dict[int, float] = {}
         self.active_low: frozenset[int] = frozenset()
         self.listeners: list[Callable[[int, float], None]] = []
@@ -64,7 +64,7 @@ class Channels:
         self._values[channel] = value
         if self.changes is not None:
             row = (self._clock.now, channel, value)
-            self.changes.add(row if self._where is None else (*row, self._where()))
+            self.changes.add(row if self._origin is None else (*row, *self._origin()))
         self._notify(channel)
         return True
 

@@ -54,6 +54,7 @@ def offset(a: Axis, distance: float, mode: int, over: float, command: str, line:
     a.controller.motion_listener.offset(a, distance, line)
     entry = OffsetMove(a.index, command, line, profile.end)
     entry.profile, entry.start_time, entry.scale = profile, a.clock.now, a.scale.counts
+    entry.chain = a.controller.log.chain()
     a.controller.log.moves.add(entry)
     tie.start_offset(profile, entry)
     tie.offset_limits = None if mode == STANDARD else (speed, accel, decel)

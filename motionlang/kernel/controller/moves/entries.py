@@ -185,7 +185,7 @@ class PointsEntry(Action):
         if self.again is not None:
             following = LoggedMove(a.index, move.command, move.line, profile.end)
             following.action = PointsEntry(self.again, self.again)
-            following.id, following.released = move.id, True
+            following.id, following.chain, following.released = move.id, move.chain, True
             a.buffer.insert(0, following)
         playback = Playback(on_path=True)
         playback.ordered = points

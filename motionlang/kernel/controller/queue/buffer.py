@@ -50,7 +50,7 @@ def keep_ends(a: Axis, shift: float) -> None:
 
 def stamped(a: Axis, move: LoggedMove) -> LoggedMove:
     """Return the move with the axis's settings at the time of loading."""
-    move.id = a.move_id
+    move.id, move.chain = a.move_id, a.controller.log.chain()
     mode = a.feedrate_mode
     if mode & 1:
         move.speed = a.speed

@@ -49,6 +49,8 @@ def log_move(a: Axis, move: LoggedMove, profile: Profile, is_stop: bool = False)
     """
     move.profile, move.start_time = profile, a.clock.now
     move.scale, move.zero = a.scale.counts, a.scale.zero
+    if move.chain < 0:
+        move.chain = a.controller.log.chain()
     a.move = move  # first: an interrupt in between then leaves no log entry without an owner
     a.controller.log.moves.add(move)
     a.target = move.target

@@ -79,7 +79,7 @@ class Machine:
         self.log.hurried = self._hurried
         # What ends the run before its time limit, if anything does.
         self.stop = stop_of(self.settings, self.clock, self.log)
-        self.terminal = Terminal(self.clock, self.log.prints, show, self.log.here)
+        self.terminal = Terminal(self.clock, self.log.prints, show, self.log.origin)
         # The output to other terminals and to serial ports, by label.
         self.terminals: dict[str, Terminal] = {}
         # Called for a line of the console when the program wants one; None if there is no operator.

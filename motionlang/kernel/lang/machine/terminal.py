@@ -7,7 +7,7 @@ from io import StringIO
 
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.errors import Rejected
-from motionlang.kernel.log.log import nowhere
+from motionlang.kernel.log.log import no_origin
 from motionlang.kernel.log.records import Printed
 from motionlang.kernel.log.stream import Stream
 
@@ -46,8 +46,8 @@ class LineBuffer:
 class Terminal:
     """The complete lines of a terminal in `prints`.
 
-    `show(text)`, if given, is called with each fragment of text as it is written. `where` returns the source offset of
-    the program. With `repeats`, a text for
+    `show(text)`, if given, is called with each fragment of text as it is written. `origin` returns where the program
+    is, as `Log.origin` does. With `repeats`, a text for
     a row of the screen is written even if the row already shows it, because hosts see every character.
     """
 
@@ -55,10 +55,10 @@ class Terminal:
         "_clock",
         "_expected_row",
         "_open",
+        "_origin",
         "_row",
         "_rows",
         "_size",
-        "_where",
         "prints",
         "repeats",
         "show",
@@ -69,9 +69,9 @@ class Terminal:
         clock: Clock,
         prints: Stream[Printed],
         show: Callable[[str], object] | None = None,
-        where: Callable[[], int] = nowhere,
+        origin: Callable[[], tuple[int, int]] = no_origin,
     ) -> None:
-        self._clock, self.prints, self.show, self._where = clock, prints, show, where
+        self._clock, self.prints, self.show, self._origin = clock, prints, show, origin
         self._open = LineBuffer()
         self._size = 0
         self.repeats = False
@@ -116,7 +116,7 @@ class Terminal:
         if self.show is not None:
             self.show(text)
         for line in self._open.completed(text):
-            self.prints.add((self._clock.now, line, self._where()))
+            self.prints.add((self._clock.now, line, *self._origin()))
 
     @property
     def begun(self) -> str:

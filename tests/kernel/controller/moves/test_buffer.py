@@ -40,7 +40,7 @@ def test_outputs_change_between_moves_and_take_no_time() -> None:
     assert c.output(3) == 0
     c.go([0])
     until(c, 5.0)
-    assert [(round(time, 9), channel, value) for time, channel, value, _ in c.log.outputs] == [
+    assert [(round(time, 9), channel, value) for time, channel, value, *_ in c.log.outputs] == [
         (0.0, 3, 1),
         (1.1, 3, 0),
         (1.1, 4, 1),
