@@ -37,6 +37,7 @@ from typing import Any
 
 from motionlang.commands.certify import MOTOR, CertifiedLimit, certificate, missing_limits
 from motionlang.commands.improve.behaviour import SAME, Behaviour
+from motionlang.commands.improve.pieces import PieceTimes
 from motionlang.commands.improve.process import AS_SAID, QUANTITIES, SPEED, MoveChange, Process
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.profile.motions import MOVING
@@ -220,6 +221,9 @@ class Improver:
         self._structure = self._base.program.structure
         self._tasks = Tasks(self._base, () if found is None else found.lines)
         starts = self._starts(self._base)
+        self._pieces = PieceTimes(
+            self._base, self._tasks, starts, self._tasks.at(found.lines[0] if found else 0)
+        )
         self._whole = Behaviour(self._base, self._tasks, starts)
         self._behaviour = self._of_cycles(starts)
         count = found.count if found is not None else len(starts) - 1
@@ -267,7 +271,11 @@ class Improver:
         after = self._cost(result)
         self._share(chosen)
         limits = certificate(result.controller, result.machine.settings, result.time)
-        notes = [*_rests(self._base, result), *dict.fromkeys(_waits(result, self._tasks))]
+        notes = [
+            *self._pieces.moved(result, "this run"),
+            *_rests(self._base, result),
+            *dict.fromkeys(_waits(result, self._tasks)),
+        ]
         made = {each.literal.address for each in edits}
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
@@ -628,9 +636,18 @@ class Improver:
         self, world: ExpectedWorld, values: Mapping[str, float], worker: SweepWorker | None = None
     ) -> Run:
         """Return the run in a world with other values of some literals, by default of a few cycles."""
-        self._count()
         given = {name: number(name, value) for name, value in {**self._numbers, **values}.items()}
-        return (worker or self._short).run_given(given, world.settings)
+        used = worker or self._short
+        if world is not self.world:
+            self._count()
+            return used.run_given(given, world.settings)
+        return self._pieces.played(lambda settings: self._played(used, given, settings))
+
+    def _played(
+        self, worker: SweepWorker, given: Mapping[str, float | str], settings: Mapping[str, object]
+    ) -> Run:
+        self._count()
+        return worker.run_given(given, CheckedSettings(settings))
 
     def _worker_until(self, until: float | None) -> SweepWorker:
         return SweepWorker(

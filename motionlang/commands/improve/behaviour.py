@@ -5,7 +5,8 @@ Figures in prints may differ, and so may the rest of a homing or of a stopped mo
 what others set to these, and each task to its own moves:
 
     overlap   an output or the begin of a move that never came while an axis moved must not come while it moves
-    place     an output that comes at the same place of a move in every cycle stays there
+    place     an output that comes at the same place of a move in every cycle stays there, unless another task
+              switches it in answer to an input that follows no axis, or as long after such an answer
 
 An act that does not come equally often in every cycle, such as that of a thermostat, is bound to no other task.
 """
@@ -42,6 +43,7 @@ class Behaviour:
         )
         self._ends, self._grave = _ends(run), _grave(run)
         self._acts = acts_of(run, tasks)
+        self._answers = sorted(_answer_times(run))
         self._polls = polls_of(run, tasks, self._acts)
         # By task, line and text: the axes that move as it comes, and its places by cycle.
         self._overlaps: dict[tuple[str, int, str], set[int]] = {}
@@ -69,10 +71,13 @@ class Behaviour:
             own_until, until = ((each[common - 1] if common else inf) for each in (self._starts, starts))
         others = acts_of(run, self._tasks)
         for task, acts in self._acts.items():
+            answered: tuple[OrderedAct, OrderedAct] | None = None
             for was, is_ in zip(acts, others.get(task, []), strict=False):
                 if was.time >= own_until or is_.time >= until:
                     break
-                reason = self._changed(task, was, is_)
+                is_answer = self._is_answer(was, is_, answered)
+                answered = (was, is_) if is_answer else None
+                reason = self._changed(task, was, is_, is_answer)
                 if reason:
                     return reason
         is_whole = run.status == self._status == "ended" and until == inf
@@ -80,7 +85,7 @@ class Behaviour:
             return "the number of outputs, prints and moves of the program"
         return "the final positions" if is_whole and not self._is_at_rest(run) else ""
 
-    def _changed(self, task: str, was: OrderedAct, is_: OrderedAct) -> str:
+    def _changed(self, task: str, was: OrderedAct, is_: OrderedAct, is_answer: bool) -> str:
         """Return how an act differs from the one in its place; "" if it does not."""
         if (was.line, was.text) != (is_.line, is_.text):
             where = "" if task == "program" else f" of {task}"
@@ -97,7 +102,8 @@ class Behaviour:
                 return f"line {was.line}: {was.text} while axis {axis} moves"
         for axis, place in was.moving.items():
             mover = self._tasks.at(place.line)
-            places = self._places(key, was, axis) if task == mover or self._tasks.reads(task, mover) else []
+            is_bound = task == mover or (self._tasks.reads(task, mover) and not is_answer)
+            places = self._places(key, was, axis) if is_bound else []
             other = is_.moving.get(axis)
             is_there = other is not None and other.line == place.line
             if places and not (is_there and any(self._is_same(key, other, each, EXACT) for each in places)):
@@ -116,6 +122,18 @@ class Behaviour:
         is_same = all(each.line == line and self._is_same(key, each, places[0], LATE) for each in places)
         return places if is_same and len(places) == len(cycles) else []
 
+    def _is_answer(
+        self, was: OrderedAct, is_: OrderedAct, answered: tuple[OrderedAct, OrderedAct] | None
+    ) -> bool:
+        """True if an act answers an input that follows no axis, or comes as long after such an act in both runs."""
+        at = bisect_right(self._answers, was.time) - 1
+        if at >= 0 and was.time - self._answers[at] < LATE:
+            return True
+        if answered is None:
+            return False
+        before, after = answered
+        return abs((was.time - before.time) - (is_.time - after.time)) < LATE
+
     def _is_same(self, key: tuple[str, int, str], one: Place | None, other: Place, late: float) -> bool:
         """True if places are as near as the time between two looks allows."""
         assert one is not None
@@ -130,6 +148,13 @@ def _fixed_times(run: Run) -> Iterator[float]:
     """Yield the times at which inputs change by the clock alone."""
     entries: list[dict[str, object]] = run.machine.settings.get("input", [])  # type: ignore[assignment]
     yield from (at for each in entries if isinstance(at := each.get("at"), (int, float)))
+
+
+def _answer_times(run: Run) -> Iterator[float]:
+    """Yield the times at which inputs change that follow outputs or the clock, not an axis."""
+    entries: list[dict[str, object]] = run.machine.settings.get("input", [])  # type: ignore[assignment]
+    by_axis = {each["channel"] for each in entries if "axis" in each}
+    yield from (each.time for each in run.machine.log.inputs if each.channel not in by_axis)
 
 
 def _ends(run: Run) -> dict[int, float]:
