@@ -5,8 +5,9 @@ and what is must not exceed a limit, change the order of what the machine does, 
 
 Idea. Only literals and constants count that such a quantity of an axis on the critical path follows, through whatever
 variables: each is made a little lower, and the run shows it. Each of these is changed as far as a run allows: the text
-is edited, run, certified against `[axis.N.limits]`, and compared with the original run. One is changed after the other,
-on top of what was gained, until none gains more. Of these edits the fewest are chosen that reach the wanted gain, by
+is edited, run, certified against `[axis.N.limits]`, and compared with the original run. All are put at their limits
+first, and those go back that gain nothing. Then one is changed after the other, on top of what was gained, until none
+gains more. Of these edits the fewest are chosen that reach the wanted gain, by
 trying all sets of one, of two, and so on.
 
     must not change    what each task does and in which order: moves with their ends, outputs, prints (their figures
@@ -31,7 +32,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations, cycle, pairwise
-from math import ceil, floor, inf, log10
+from math import ceil, copysign, floor, inf, log10
 from statistics import median
 from typing import Any
 
@@ -287,8 +288,8 @@ class Improver:
     def _all(self) -> list[Edit]:
         """Return all edits that are worth it: each literal in turn, until none gains more on top of the others."""
         candidates = self._free(self._candidates())
-        edits: dict[str, Edit] = {}
-        best, last = self.before, ""
+        best, joint = self._jointly(candidates)
+        edits, last = {each.literal.address: each for each in joint}, ""
         # Once around without a gain since the last edit, none is left.
         for literal in cycle(candidates):
             if literal.address == last:
@@ -303,6 +304,47 @@ class Improver:
         for edit in self._together([each for each in candidates if each.address not in edits], edits, best):
             edits[edit.literal.address] = edit
         return list(edits.values())
+
+    def _jointly(self, candidates: Sequence[Literal]) -> tuple[float, list[Edit]]:
+        """Return the cycle with all literals at their limits, and the edits it takes; none if that is forbidden."""
+        edits = []
+        for literal in candidates:
+            highest, words = self._rates.get(literal.address, (inf, ""))
+            value = _rounded(copysign(highest, literal.value), False) if highest < inf else literal.value
+            if abs(value) > abs(literal.value):
+                edits.append(Edit(literal, value, bound=words))
+        values = {each.literal.address: each.value for each in edits}
+        cost, reason = self._judge(values) if len(edits) > 1 else (inf, "")
+        if reason or cost > self.before * (1.0 - WORTH):
+            return self.before, []
+        for edit in list(edits):
+            address, was = edit.literal.address, edit.literal.value
+            without, reason = self._judge({**values, address: was})
+            if not reason and without <= cost * (1.0 + WORTH):
+                del values[address]
+                edits.remove(edit)
+                cost = without
+                continue
+            values[address] = edit.value = self._least(edit, values, cost)
+        return self._judge(values)[0], edits
+
+    def _least(self, edit: Edit, values: Mapping[str, float], cost: float) -> float:
+        """Return the value nearest to the original with the same cycle as that of an edit."""
+
+        def is_enough(value: float) -> bool:
+            made, reason = self._judge({**values, edit.literal.address: value})
+            return not reason and made <= cost * (1.0 + ENOUGH)
+
+        low, high = edit.literal.value, edit.value
+        nearly = 0.02 * low + 0.98 * high
+        if not is_enough(nearly):
+            return high
+        high = nearly
+        for _ in range(STEPS):
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if is_enough(middle) else (middle, high)
+        round_ = _roundest(high, 1.02 * high)
+        return round_ if is_enough(round_) else high
 
     def _together(self, left: Sequence[Literal], edits: Mapping[str, Edit], best: float) -> list[Edit]:
         """Return edits of what single steps have left that gain together, none if they do not."""

@@ -60,7 +60,7 @@ def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool
     """Return an improvement as lines of text."""
     share = 100.0 * (found.after / found.before - 1.0)
     where = found.where if found.cycle else "no cycle: the whole run"
-    seconds = f"{found.before:.4g} s → {found.after:.4g} s"
+    seconds = f"{found.before:.5g} s → {found.after:.5g} s"
     head = f"{file}: {found.cycle or 'run'} {seconds}, {share:.1f} % ({where})"
     lines = [styled(head, "bold", colour), "", *edits_table(found).lines(width, colour=colour)]
     lines += _held_lines(found, colour)

@@ -120,3 +120,18 @@ def _tray(made: Run) -> float:
     """Return the time of the four parts from the first one on."""
     times = [each.time for each in made.machine.log.prints if "part" in each.text]
     return times[4] - times[0]
+
+
+@pytest.mark.slow
+def test_32_numbers_are_tried_together() -> None:
+    moves = [
+        f"  SPEED(0) = {100 + k}\n  MOVEA(0) = {0 if k % 2 else 100} : GO(0) : PAUSE IDLE(0)"
+        for k in range(32)
+    ]
+    head = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nLoop\n"
+    text = head + "\n".join(moves) + '\n  Print "part"\nEnd Loop\n'
+    limits = "run.until = 150\n[axis.0.limits]\nspeed = 250\nacceleration = 3000\n"
+    machine = read_machine(Source("machine.toml", limits))
+    found = improver_of(Source("many.mnt", text), machine).improved()
+    assert len(found.edits) == 34
+    assert found.trials <= 200
