@@ -164,7 +164,9 @@ class Scheduler:
 
     def calls(self) -> tuple[int, ...]:
         """Return the source positions of the calls that led to `where`, outermost first."""
-        task = self.parent if self.current.done else self.current
+        task = self.current
+        if task.done:
+            task = self.parent
         return () if task.done else task.callers
 
     def start(self, task: Task) -> None:

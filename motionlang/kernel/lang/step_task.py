@@ -115,7 +115,8 @@ class StepTask(Task):
 
     @property
     def callers(self) -> tuple[int, ...]:
-        return tuple([at for call in self.calls if (at := call.steps[call.pc - 1].at) >= 0])
+        calls = self.calls
+        return tuple([at for steps, pc, _ in calls if (at := steps[pc - 1].at) >= 0]) if calls else ()
 
     @property
     def loops(self) -> Sequence[tuple[int, float, tuple[int, ...]]]:

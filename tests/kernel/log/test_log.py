@@ -332,3 +332,17 @@ def test_a_log_has_the_bytes_that_fit_into_its_file() -> None:
     assert (store.get(first), store.get(second), store.size) == (60 * b"a", 40 * b"b", 100)
     with pytest.raises(Rejected, match="the log of the run has reached 1e-07 GB"):
         store.put(b"c")
+
+
+def test_the_calls_that_lead_to_an_act_are_stored_once() -> None:
+    text = (
+        "Dim n As Integer\nFor n = 1 To 50\n  goX(10)\n  goX(0)\nNext\nEnd\n"
+        "Sub goX(ByVal x As Float)\n  MOVEA(0) = x : GO(0) : PAUSE IDLE(0)\n"
+        '  OUTX(1) = 1 : OUTX(1) = 0\n  Print "there"\nEnd Sub\n'
+    )
+    made = run(Source("calls.mnt", text))
+    log, line = made.machine.log, made.program.structure.line  # type: ignore[union-attr]
+    assert [[line(at) for at in calls] for calls in log.callers] == [[], [3], [4]]
+    for acts in (log.moves, log.prints):
+        assert [each.chain for each in acts] == [1, 2] * 50
+    assert [each.chain for each in log.outputs] == [1, 1, 2, 2] * 50
