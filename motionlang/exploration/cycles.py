@@ -21,7 +21,7 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # What counts for a cycle: each line that moves an axis in it, and not before the first change, and each output that is
 # switched on. Against it: each change of the world, an answer less, since the program asks for it; one at the same time
 # as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
-MOVE, OUTPUT = 2.0, 0.5
+MOVE, OUTPUT = 3.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, takes less
 # time, s, and says less of what is wrong.

@@ -41,19 +41,21 @@ Readings = Mapping[int, Mapping[Channel, Sequence[ReadSpan]]]
 class TrialRecorder(Hook):
     """A record of the tasks of a run from a time on: their statements, what they read and compare, the memory.
 
-    `remembered` are the numbers of the shared variables whose values are recorded. `written` are the channels that a
-    statement only writes, by its source offset: a write reads the old value, too.
+    `remembered` are the numbers of the shared variables whose values are recorded. What is no reading of the program is
+    left out: `written` are the channels that a statement only writes, by its source offset, since a write reads the old
+    value, too; `switches` are the inputs that only the axes read.
     """
 
     def __init__(
         self,
         remembered: Sequence[int],
         written: Mapping[int, Collection[Channel]],
+        switches: Collection[Channel],
         since: float,
         snapshot_at: float = inf,
     ) -> None:
         super().__init__(lambda task, time, offset: None, between=self._between)
-        self._remembered, self._written = remembered, written
+        self._remembered, self._written, self._switches = remembered, written, switches
         self._machine: Machine | None = None
         self._at = -1
         self.begin(since, snapshot_at)
@@ -118,7 +120,7 @@ class TrialRecorder(Hook):
         """Record a reading, as part of a span in which the same statement reads the channel again and again."""
         assert self._machine is not None
         at, now = self._place(), self._machine.clock.now
-        if at < 0 or (table, number) in self._written.get(at, ()):
+        if at < 0 or (table, number) in self._switches or (table, number) in self._written.get(at, ()):
             return
         spans = self.readings[at][table, number]
         if spans and now - spans[-1].last <= SAME_SPAN:

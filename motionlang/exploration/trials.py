@@ -19,7 +19,7 @@ from typing import NamedTuple
 from motionlang.exploration.changes import Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import Begun, Readings, TrialRecorder
-from motionlang.exploration.values import written_at
+from motionlang.exploration.values import switches_of, written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 
@@ -162,7 +162,7 @@ class Trials:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self._is_over = is_over
         self.memory = Memory(self.program.structure)
-        self._written = written_at(self.program)
+        self._written, self._switches = written_at(self.program), switches_of(self.program)
         self.count = self.work = 0
         # The run of the last trial, as it is until the next one.
         self.last: Run
@@ -195,7 +195,7 @@ class Trials:
         if since > 0.0:
             recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
-            recorder = TrialRecorder(self.memory.all, self._written, since)
+            recorder = TrialRecorder(self.memory.all, self._written, self._switches, since)
             self.last = self._run(tables_of(timeline), until, recorder)
         trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:
@@ -236,7 +236,7 @@ class Trials:
             self._change(start, before)
             result = self._run_on(start.run.machine, at)
         else:
-            recorder = TrialRecorder(self.memory.all, self._written, since, at)
+            recorder = TrialRecorder(self.memory.all, self._written, self._switches, since, at)
             result = self._run(tables_of(before), at, recorder)
         self._note_work(recorder)
         return Start(before, since, recorder, result)
@@ -268,7 +268,7 @@ class Trials:
         Without a time the run ends where that of a machine file does.
         """
         self.count += 1
-        recorder = TrialRecorder((), {}, inf)
+        recorder = TrialRecorder((), {}, (), inf)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
         return result, {each for each in recorder.seen if isinstance(each, int)}

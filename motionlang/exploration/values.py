@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.exploration.changes import REGISTERS, Change, Channel
 from motionlang.kernel import Program
-from motionlang.kernel.lang import DRIVES, ChannelUse
+from motionlang.kernel.lang import DRIVES, SET_UP, ChannelUse
 
 if TYPE_CHECKING:
     from motionlang.exploration.trials import Trial
@@ -67,6 +67,14 @@ def written_at(program: Program) -> dict[int, set[Channel]]:
         read = {channel for is_read, channel in uses if is_read}
         found[at] = {channel for is_read, channel in uses if channel is not None and not is_read} - read
     return {at: channels for at, channels in found.items() if channels}
+
+
+def switches_of(program: Program) -> set[Channel]:
+    """Return the inputs that a program gives to its axes as switches, and that no statement reads."""
+    uses = [use for each in program.structure.statements.values() for use in each.channels]
+    inputs = [(use.access, use.number) for use in uses if use.channel == "input" and use.number.isdecimal()]
+    read = {number for access, number in inputs if access == "read"}
+    return {("input", int(number)) for access, number in inputs if access == SET_UP and number not in read}
 
 
 def written(program: Program) -> set[Channel]:

@@ -338,7 +338,8 @@ def _execute(
         if result.machine.stop is not None:
             result.machine.stop.end = scheduler.stop
         scheduler.gives_up = until is None  # a caller that wants so much time gets it
-        has_limit = until is not None or "run.until" in settings or result.machine.stop is not None
+        scheduler.is_limited = "run.until" in settings or result.machine.stop is not None
+        has_limit = until is not None or scheduler.is_limited
         drives = pace is not None or outside is not None or result.machine.hook is not None
         if has_limit or drives:
             result.status = scheduler.run(end_of(settings) if until is None else until)

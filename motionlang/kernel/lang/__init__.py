@@ -65,6 +65,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import Uses as Uses
     from motionlang.kernel.lang.steps import Values as Values
     from motionlang.kernel.lang.structure import READ as READ
+    from motionlang.kernel.lang.structure import SET_UP as SET_UP
     from motionlang.kernel.lang.structure import WRITE as WRITE
     from motionlang.kernel.lang.structure import AxisKey as AxisKey
     from motionlang.kernel.lang.structure import AxisUse as AxisUse
@@ -94,7 +95,7 @@ PUBLIC = {
     "machine.layers": "layered",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
-    "structure": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE",
+    "structure": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
     "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
     "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",

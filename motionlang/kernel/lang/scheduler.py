@@ -118,8 +118,9 @@ class Scheduler:
         self.current: Task = parent
         self.pace = pace
         self.outside = outside
-        # True for a run without a limit of its own, which ends as soon as nothing can change any more.
-        self.gives_up = False
+        # True for a run that ends as soon as nothing can change any more. If the machine file limits its time
+        # (`is_limited`), it goes on while the first task waits: that may be what a scenario shows.
+        self.gives_up = self.is_limited = False
         # When the program had ended, while motion continues.
         self.ended: float | None = None
         # When the running task was resumed, true if no other could have been, and the end of its time slice,
@@ -210,6 +211,8 @@ class Scheduler:
         """Raise Stuck if nothing can change any more."""
         tasks = self.interrupts[-1:] or self.tasks
         acts = any(each.polls_in_vain and not each.is_endless for each in tasks)
+        if self.is_limited and tasks[0].wait is not None:
+            return
         if not acts and self.is_over() and (self.outside is None or not self.outside.may_act()):
             first = tasks[0]
             why = f"for a change of {first.polled}" if first.polled else "for its loop to end"
