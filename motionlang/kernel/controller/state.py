@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, TimedCall
@@ -12,6 +13,9 @@ from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.io.asking import Asking, Tasks
 
 
 class ControllerState:
@@ -29,6 +33,9 @@ class ControllerState:
         self.analogue_outputs = Channels(clock, log.analogue_outputs, log.origin)
         # The entries of the machine file that take effect by time or after an output.
         self.stimuli = Stimuli(clock, self.outputs)
+        # What the world answers when the program asks, if it does, and the tasks of the program.
+        self.asking: Asking | None = None
+        self.tasks: Tasks | None = None
         # The events at which pulses of outputs end.
         self._pulses: dict[int, TimedCall] = {}
         # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.

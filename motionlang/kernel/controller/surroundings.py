@@ -19,6 +19,7 @@ from motionlang.kernel.controller.faults import (
     LIMIT_FORWARD,
     LIMIT_REVERSE,
 )
+from motionlang.kernel.controller.io.asking import Asking
 from motionlang.kernel.controller.io.sensor import Sensor
 from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.controller.triggers.limit import Limit
@@ -166,13 +167,22 @@ class Surroundings:
         """Wire one `[[input]]` or `[[analogue]]`: by time, by position, or by an output."""
         channel, value = int(_number(entry, "channel")), _number(entry, "value", 1)
         self.driven.add(channel)
-        if "axis" in entry:
+        if "asked" in entry:
+            self._asking.add_input(entry, self._controller.clock.now)
+        elif "axis" in entry:
             self._wire_position(entry, channel, value, put)
         elif "output" in entry:
             self._wire_output(entry, partial(put, channel), int(value))
         else:
             stimuli, now = self._controller.stimuli, self._controller.clock.now
             stimuli.add_pulse(table, entry, partial(put, channel), value, since=now, at_once=True)
+
+    @property
+    def _asking(self) -> Asking:
+        """What answers when it is asked, created on first use."""
+        if self._controller.asking is None:
+            self._controller.asking = Asking(self._controller)
+        return self._controller.asking
 
     def _wire_position(
         self, entry: Entry, channel: int, value: float, put: Callable[[int, float], None]

@@ -463,6 +463,9 @@ class Loops:
         assert scheduler is not None
         here = time.leave(t)
         began = last.base + last.t * time.cost
+        asking = self.machine.controller.asking
+        if asking is not None:
+            asking.repeats(began, here)
         is_alone = now.turns == last.turns
         stable = self._stable_until(task, now, last, began, is_alone)
         kept = [
@@ -568,6 +571,9 @@ class Loops:
         if self.machine.observer is not None:
             self.machine.observer.skipped(last.seen, now.seen, times)
             now.seen = self.machine.observer.seen
+        asking = self.machine.controller.asking
+        if asking is not None:
+            asking.skipped(began, here, time.reached, times)
         if now.turns != last.turns:
             log.slices.so_far(task.name, scheduler.began, here)
             log.repeat_period(last.logged, began, here, time.reached, times)

@@ -139,6 +139,7 @@ class Scheduler:
         self._next_index = 0
         self._stalls = 0
         machine.log.locate_by(self.where, self.calls)
+        (machine.controller if isinstance(machine, Machine) else machine).tasks = self
         self._hook: Hook | None = getattr(machine, "hook", None)
 
     @property
@@ -341,13 +342,15 @@ class Scheduler:
 
     def _first_end(self) -> float:
         """Return when the first wait may end if the running tasks do nothing."""
-        first = INFINITY
+        first, running = INFINITY, self.current
         for task in self.interrupts[-1:] or self.tasks:
             wait = task.wait
             if wait is not None:
+                self.current = task
                 due = wait.due() if wait.ends is None else wait.ends
                 if due < first:
                     first = due
+        self.current = running
         return first
 
     def waited(self, wait: tuple[object, ...]) -> None:

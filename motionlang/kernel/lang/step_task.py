@@ -6,7 +6,8 @@ adds in a subclass what the operations of its keywords look for in a task.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from motionlang.kernel.controller.clock import INFINITY
@@ -134,6 +135,12 @@ class StepTask(Task):
     @property
     def is_endless(self) -> bool:
         return self.is_futile and self.seen_shared == self.loops_of_all.world.shared
+
+    def condition(self) -> Callable[[], object] | None:
+        """Return the condition that its present step tests, None if that is not one."""
+        steps, pc, values = self.steps, self.pc, self.values
+        _, do, _, _, _ = step = steps[pc] if pc < len(steps) else steps[-1]
+        return partial(do, values) if step.kind in (BRANCH, BACK) and do is not None else None
 
     # ------------------------------------------------------------------------------------------ for languages
 

@@ -121,6 +121,7 @@ EVENTS = (
     "cancel",
     "override",
     "handler",
+    "asked",
     "buffer full",
     "wait",
 )

@@ -32,6 +32,7 @@ class Channels:
         "is_supposed",
         "listeners",
         "observer",
+        "reader",
     )
 
     def __init__(
@@ -48,10 +49,18 @@ class Channels:
         self.is_supposed = False
         # Called with each channel that is read; None if that is not observed.
         self.observer: Callable[[int], None] | None = None
+        # Called with each channel that is read, if the world answers some channels when they are asked for.
+        self.reader: Callable[[int], None] | None = None
 
     def __getitem__(self, channel: int) -> float:
         if self.observer is not None:
             self.observer(channel)
+        if self.reader is not None:
+            self.reader(channel)
+        return self._values.get(channel, 0)
+
+    def present(self, channel: int) -> float:
+        """Return the value of a channel for the world; the program reads nothing."""
         return self._values.get(channel, 0)
 
     def __setitem__(self, channel: int, value: float) -> None:
@@ -100,12 +109,13 @@ class Channels:
 
     def _notify(self, channel: int) -> None:
         observer, self.observer = self.observer, None  # the program reads nothing here
+        reader, self.reader = self.reader, None
         try:
             value = self[channel]
             for listener in tuple(self.listeners):
                 listener(channel, value)
         finally:
-            self.observer = observer
+            self.observer, self.reader = observer, reader
 
     def listen(self, call: Callable[[int, float], None]) -> None:
         """Call `call(channel, value)` after a value has changed."""
@@ -115,6 +125,8 @@ class Channels:
         """Convert a channel's level to its logical state, or vice versa."""
         if self.observer is not None:
             self.observer(channel)
+        if self.reader is not None:
+            self.reader(channel)
         return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
 
     def set_active_low(self, channels: Iterable[int]) -> None:

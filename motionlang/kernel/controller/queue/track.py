@@ -22,6 +22,8 @@ def extend_track(a: Axis, profile: Profile, cause: str = "", ended: LoggedMove |
         check_velocity(a, profile, cause, ended or a.move)
     controller = a.controller
     controller.motion_listener.add(a)
+    if controller.asking is not None:
+        controller.asking.starts(a, profile)
     a.starts.append(a.clock.now)
     a.profiles.append(profile)
     a.present = profile

@@ -229,7 +229,7 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     yield from _when_problems(table, entry)
     if table == "fault" and "axis" not in entry and entry.get("kind") != "controller":
         yield "[[fault]] needs axis", as_hint(rows["axis"][1]), "[[fault]]"
-    if "every" in rows:
+    if "every" in rows and "asked" not in entry:
         yield from _again_problems(table, entry)
     if table == "remote":
         yield from _remote_problems(entry)
@@ -252,6 +252,9 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
     where = [
         name for name in ("above", "below", "between", "line", "output") if name in entry and name in rows
     ]
+    if "asked" in entry and "asked" in rows:
+        yield from _asked_problems(table, entry)
+        return
     if len(where) > 1 or (where and "at" in entry):
         regions = ", ".join(name for name in ("above", "below", "between") if name in rows)
         others = [name for name in ("line", "output") if name in rows]
@@ -274,6 +277,20 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
     if table == "input" and "level" in entry and "output" in entry and "for" not in entry:
         hint = "add for, or write value = 0 for an input that is off while the output is on"
         yield "level of [[input]] has no effect without for", hint, "level"
+
+
+def _asked_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
+    """Check that an entry that acts when asked has no other trigger."""
+    others = ["axis", "above", "below", "between", "per_unit", "output", "delay", "every"]
+    if table == "input":
+        others.append("value")
+    else:
+        others.append("level")
+    for name in (each for each in others if each in entry and each in TABLES[table]):
+        hint = f"remove asked or {name}"
+        if name == "value":
+            hint = "it changes to its other level; level = 1 lets it change to that one only"
+        yield f"{name} of [[{table}]] has no effect with asked", hint, name
 
 
 def _again_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:

@@ -125,6 +125,10 @@ _WHEN = {
     "below": ("number", "Active from this position downwards, in user units."),
     "between": ("pair", "Active between these two positions, in user units."),
 }
+_ASKED = (
+    "positive",
+    "Instead: the time after which it happens once the program asks for it, in seconds.",
+)
 # When a key is pressed or another device writes.
 _ACTS = {
     "at": _WHEN["at"],
@@ -176,8 +180,13 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "channel",
             "The digital output whose level the input follows; with for, whose change activates it.",
         ),
-        "level": ("bit", "With output and for: the level to which the output changes. Default 1."),
+        "level": (
+            "bit",
+            "With output and for: the level to which the output changes. Default 1. With asked: the only level to "
+            "which the input changes.",
+        ),
         "delay": ("time", "The delay after the output, in seconds. Default 0."),
+        "asked": _ASKED,
         **_WHEN,
         "guess": _GUESS,
     },
