@@ -98,6 +98,7 @@ class ReportEvent(TypedDict):
         "stop",
         "cancel",
         "override",
+        "asked",
         "handler",
         "buffer full",
         "wait",

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, TimedCall
+from motionlang.kernel.controller.io.asking import Asking, Tasks
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
-
-if TYPE_CHECKING:
-    from motionlang.kernel.controller.io.asking import Asking, Tasks
 
 
 class ControllerState:
@@ -47,6 +44,12 @@ class ControllerState:
         self.motion_listener = MotionListener()
         # The handler of run-time faults outside a statement; it returns true if it has handled the fault.
         self.fault_handler: Callable[[Rejected], bool] | None = None
+
+    def answering(self) -> Asking:
+        """Return what the world answers when the program asks, created on first use."""
+        if self.asking is None:
+            self.asking = Asking(self)
+        return self.asking
 
     def encoder(self, channel: int) -> Axis:
         """Return the track of an encoder channel driven from outside."""

@@ -19,7 +19,6 @@ from motionlang.kernel.controller.faults import (
     LIMIT_FORWARD,
     LIMIT_REVERSE,
 )
-from motionlang.kernel.controller.io.asking import Asking
 from motionlang.kernel.controller.io.sensor import Sensor
 from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.controller.triggers.limit import Limit
@@ -168,7 +167,9 @@ class Surroundings:
         channel, value = int(_number(entry, "channel")), _number(entry, "value", 1)
         self.driven.add(channel)
         if "asked" in entry:
-            self._asking.add_input(entry, self._controller.clock.now)
+            channels = self._controller.inputs if table == "input" else self._controller.analogue_inputs
+            asking = self._controller.answering()
+            asking.add_channel(table, channels, entry, self._controller.clock.now, value)
         elif "axis" in entry:
             self._wire_position(entry, channel, value, put)
         elif "output" in entry:
@@ -176,13 +177,6 @@ class Surroundings:
         else:
             stimuli, now = self._controller.stimuli, self._controller.clock.now
             stimuli.add_pulse(table, entry, partial(put, channel), value, since=now, at_once=True)
-
-    @property
-    def _asking(self) -> Asking:
-        """What answers when it is asked, created on first use."""
-        if self._controller.asking is None:
-            self._controller.asking = Asking(self._controller)
-        return self._controller.asking
 
     def _wire_position(
         self, entry: Entry, channel: int, value: float, put: Callable[[int, float], None]

@@ -34,6 +34,7 @@ from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis
+    from motionlang.kernel.controller.io.channels import Channels
     from motionlang.kernel.controller.state import ControllerState
 
 # A task that polls reads again within this time, s.
@@ -42,6 +43,12 @@ MAX_GAP = 1.2
 MIN_READS, MIN_SCHEDULED = 3, 2
 # A condition of more inputs, or one that needs more changes at once, is not analysed.
 MAX_INPUTS, MAX_CHANGES = 8, 3
+# The device of each table with channels, and the key of its number.
+DRIVEN = {
+    "input": ("input", "channel"),
+    "analogue": ("analogue input", "channel"),
+    "coil": ("Modbus coil", "coil"),
+}
 
 
 class Reader(Protocol):
@@ -236,56 +243,70 @@ class Asking:
     def __init__(self, controller: ControllerState) -> None:
         self.controller = controller
         self.clock: Clock = controller.clock
-        self.responders: dict[tuple[str, object], Responder] = {}
-        self._inputs: dict[int, Responder] = {}
+        self.responders: dict[object, Responder] = {}
+        self._readers: dict[str, dict[int, Responder]] = {}
         self._starters: dict[int, Any] = {}
         self._starts: dict[Any, float] = {}
         # The inputs that a condition under test has read; None if none is tested.
         self._tested: set[int] | None = None
 
-    def add_input(self, entry: Entry, since: float) -> None:
-        """Add an `[[input]]` that changes when asked; its times count from `since`."""
-        channel: int = entry["channel"]  # type: ignore[assignment]
-        inputs = self.controller.inputs
-        responder = self._inputs.get(channel)
+    def add_channel(self, table: str, channels: Channels, entry: Entry, since: float, on: float) -> None:
+        """Add an entry by which a channel changes to `on`, or from there to 0, when asked."""
+        channel: int = entry[DRIVEN[table][1]]  # type: ignore[assignment]
+        key = table, channel
+
+        def put(rule: Rule, value: object) -> None:
+            channels[channel] = value  # type: ignore[assignment]
+            if rule.length < INFINITY:
+                back = 0.0 if value else on
+                self.clock.at(rule.until, lambda: channels.__setitem__(channel, back))
+
+        def other(rule: Rule) -> float:
+            entry = rule.stimulus.entry
+            value: float = 1 if table == "input" else entry.get("value", 1)  # type: ignore[assignment]
+            return 0 if channels.present(channel) == value else value
+
+        def name(value: object) -> str:
+            level = ("on" if value else "off") if table == "input" else f"= {value:.10g}"
+            return f"{DRIVEN[table][0]} {channel} {level}"
+
+        is_input = table == "input"
+        responder = self.add(
+            table,
+            entry,
+            since,
+            key,
+            lambda: Responder(
+                self, name, lambda: channels.present(channel), other, put, channel if is_input else -1
+            ),
+        )
+        readers = self._readers.setdefault(table, {})
+        readers[channel] = responder
+        if is_input:
+            channels.reader = self._reads_input
+        else:
+            channels.reader = lambda number: readers[number].read() if number in readers else None
+
+    def add(
+        self, table: str, entry: Entry, since: float, key: object, make: Callable[[], Responder]
+    ) -> Responder:
+        """Add an entry to what answers for a value, made on its first entry; return it."""
+        responder = self.responders.get(key)
         if responder is None:
-
-            def put(rule: Rule, value: object) -> None:
-                inputs[channel] = value  # type: ignore[assignment]
-                if rule.length < INFINITY:
-                    back = 1 - int(value)  # type: ignore[call-overload]
-                    self.clock.at(rule.until, lambda: inputs.__setitem__(channel, back))
-
-            def level() -> int:
-                return int(inputs.present(channel) != 0)
-
-            responder = Responder(
-                self,
-                lambda value: f"input {channel} {'on' if value else 'off'}",
-                level,
-                lambda rule: 1 - level(),
-                put,
-                channel,
-            )
-            self._inputs[channel] = self.responders["input", channel] = responder
-            inputs.reader = self._reads_input
-        self.add_rule(responder, "input", entry, since, entry.get("level"))
-
-    def add_rule(
-        self, responder: Responder, table: str, entry: Entry, since: float, level: object = None
-    ) -> None:
-        """Add an entry to what answers for a value."""
+            responder = self.responders[key] = make()
         stimulus = Stimulus(self.clock, table, entry, lambda: None, since)
         self.controller.stimuli.all.append(stimulus)
         delay, length = float(entry["asked"]), float(entry.get("for", INFINITY))  # type: ignore[arg-type]
         begin, times = since + float(entry.get("at", 0.0)), float(entry.get("times", INFINITY))  # type: ignore[arg-type]
-        responder.rules.append(Rule(stimulus, delay, begin, times, level, length))
+        responder.rules.append(Rule(stimulus, delay, begin, times, entry.get("level"), length))
+        return responder
 
     def _reads_input(self, channel: int) -> None:
+        responders = self._readers["input"]
         if self._tested is not None:
             self._tested.add(channel)
-        elif channel in self._inputs and not self.controller.inputs.is_supposed:
-            self._inputs[channel].read()
+        elif channel in responders and not self.controller.inputs.is_supposed:
+            responders[channel].read()
 
     # ------------------------------------------------------------------------------------------------ axes
 

@@ -157,6 +157,8 @@ class AnalogueInputs(Channels):
         log.analogue_inputs = AnalogueChanges(log, self.settle)
 
     def __getitem__(self, channel: int) -> float:
+        if self.reader is not None:
+            self.reader(channel)
         if channel in self.computed and (level := self.computed[channel].level()) is not None:
             if self.observer is not None:
                 self.observer(channel)

@@ -10,10 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from math import inf
+from typing import TYPE_CHECKING
 
+from motionlang.kernel.controller.io.asking import Asking, Responder, Rule
 from motionlang.kernel.controller.io.bits import signed
-from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.errors import Rejected
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.state import ControllerState
 
 Listener = Callable[[str, int, bool], None]
 
@@ -40,15 +44,20 @@ class HostMemory:
         }
         self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
         self.listeners: list[Listener] = []
+        # Called with each element that the program reads, if the host answers some when they are asked for.
+        self.reader: Callable[[str, int], None] | None = None
         self.mapping = mapping
         # Called with the area and the element that the program reads; None if that is not observed.
         self.observer: Callable[[str, int], None] | None = None
+        self._responders: dict[tuple[str, int], Responder] = {}
 
     # ------------------------------------------------------------------------------------- the program's side
 
     def integer(self, area: str, element: int) -> int:
         if self.observer is not None:
             self.observer(area, element)
+        if self.reader is not None:
+            self.reader(area, element)
         return self._words[area][_checked(area, element)]
 
     def set_integer(self, area: str, element: int, value: int) -> None:
@@ -57,6 +66,8 @@ class HostMemory:
     def real(self, area: str, element: int) -> float:
         if self.observer is not None:
             self.observer(area, element)
+        if self.reader is not None:
+            self.reader(area, element)
         return self._floats[area][_checked(area, element)]
 
     def set_real(self, area: str, element: int, value: float) -> None:
@@ -68,8 +79,7 @@ class HostMemory:
 
     def write(self, area: str, first: int, words: Sequence[int]) -> None:
         """Write elements from the host, given as signed 32-bit integers."""
-        known = self._words[area]
-        changed = [known[_checked(area, first + k)] != word for k, word in enumerate(words)]
+        changed = [self._words[area][_checked(area, first + k)] != word for k, word in enumerate(words)]
         for k, word in enumerate(words):
             self.set_integer(area, first + k, word)
         for k, each in enumerate(changed):
@@ -94,10 +104,42 @@ class HostMemory:
         low, high = AREAS[area]
         return 2 * low <= first and first + count <= 2 * high + 2
 
-    def schedule(self, stimuli: Stimuli, area: str, entry: Mapping[str, object], since: float = 0.0) -> None:
+    def schedule(
+        self, controller: ControllerState, area: str, entry: Mapping[str, object], since: float = 0.0
+    ) -> None:
         """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file; its times count from `since`."""
         words, element = _words(area, entry), int(entry["address" if area == "dpr" else "element"])  # type: ignore[call-overload]
-        stimuli.add(area, entry, lambda: self.write(area, element, words), since)
+        if "asked" in entry:
+            self._answer(controller.answering(), area, element, entry, since)
+            return
+        controller.stimuli.add(area, entry, lambda: self.write(area, element, words), since)
+
+    def _answer(
+        self, asking: Asking, area: str, element: int, entry: Mapping[str, object], since: float
+    ) -> None:
+        """Write an entry when the program asks for its element and it has another value."""
+
+        def current() -> list[int]:
+            return self._words[area][element : element + 1].tolist()
+
+        def other(rule: Rule) -> list[int] | None:
+            words = _words(area, rule.stimulus.entry)
+            return None if words[:1] == current() else words
+
+        def put(rule: Rule, words: object) -> None:
+            self.write(area, element, words)  # type: ignore[arg-type]
+
+        name = f"{_CALLED[area]}, {'address' if area == 'dpr' else 'element'} {element}"
+        key = area, element
+        responder = asking.add(
+            area, entry, since, key, lambda: Responder(asking, lambda _: name, current, other, put)
+        )
+        self._responders[key] = responder
+        self.reader = self._reads
+
+    def _reads(self, area: str, element: int) -> None:
+        if (area, element) in self._responders:
+            self._responders[area, element].read()
 
 
 def product(model: str) -> str:

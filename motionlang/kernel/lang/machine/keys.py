@@ -140,6 +140,7 @@ _ACTS = {
     "output": ("channel", "Instead: the digital output after whose change it happens, each time."),
     "level": ("bit", "The level to which that output changes. Default 1."),
     "delay": ("time", "The delay after the output, in seconds. Default 0."),
+    "asked": _ASKED,
 }
 _GUESS = ("flag", "true: `motionlang init` has guessed this entry, and a result that depends on it says so.")
 _TERMINAL = ("terminal", "The terminal of the operator: 1, 2, 4 and so on up to 128. Default 1.")
@@ -200,6 +201,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "sampled at 1 kHz.",
         ),
         "for": ("positive", "Duration in seconds. Default: forever."),
+        "asked": _ASKED,
         **_WHEN,
         "guess": _GUESS,
     },

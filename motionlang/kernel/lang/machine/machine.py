@@ -120,7 +120,7 @@ class Machine:
             self.operator.add(settings, self.clock.now)
         for area in AREAS:
             for entry in settings.get(area, ()):  # type: ignore[attr-defined]
-                self.host.schedule(self.controller.stimuli, area, entry, self.clock.now)
+                self.host.schedule(self.controller, area, entry, self.clock.now)
         for table, schedule in self.receivers.items():
             for entry in settings.get(table, ()):  # type: ignore[attr-defined]
                 schedule(entry, self.clock.now)
@@ -206,7 +206,7 @@ class Machine:
         host = HostMemory(PRODUCTS[product(self.model)])
         for area in AREAS:
             for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
-                host.schedule(self.controller.stimuli, area, entry)
+                host.schedule(self.controller, area, entry)
         return host
 
     @property
@@ -230,8 +230,8 @@ class Machine:
         """Return the operator at terminal `number`, created on first use."""
         found = self._operators.get(number)
         if found is None:
-            terminal, stimuli = self.terminal_at(number), self.controller.stimuli
-            found = self._operators[number] = Operator(self.clock, stimuli, terminal, self.settings, number)
+            terminal = self.terminal_at(number)
+            found = self._operators[number] = Operator(self.controller, terminal, self.settings, number)
             if self.read_observer is not None:
                 found.observer = partial(self.read_observer, "key", 0)
         return found

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from motionlang.kernel.controller.clock import Clock
-from motionlang.kernel.controller.io.stimuli import Stimuli
+from motionlang.kernel.controller.io.asking import Asking, Responder, Rule
+from motionlang.kernel.controller.state import ControllerState
 from motionlang.kernel.lang.machine.terminal import Terminal
 
 Entry = Mapping[str, object]
@@ -33,13 +33,12 @@ class Operator:
 
     def __init__(
         self,
-        clock: Clock,
-        stimuli: Stimuli,
+        controller: ControllerState,
         terminal: Terminal,
         settings: Mapping[str, object],
         number: int = 1,
     ) -> None:
-        self._clock, self._stimuli, self._terminal = clock, stimuli, terminal
+        self._clock, self._controller, self._terminal = controller.clock, controller, terminal
         self.keys: list[int] = []
         self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
         self.asking = False
@@ -50,6 +49,8 @@ class Operator:
         # The lines typed ahead: the text, and the prompt that it answers ("" for any).
         self.lines: list[tuple[str, str]] = []
         self._number = number
+        # What presses keys when the program asks for one, if there is such an entry.
+        self._responder: Responder | None = None
         self.add(settings)
 
     def add(self, settings: Mapping[str, object], since: float = 0.0) -> None:
@@ -67,8 +68,29 @@ class Operator:
         for entry in presses:
             if entry.get("terminal", 1) != self._number:
                 continue
+            if "asked" in entry:
+                asking = self._controller.answering()
+                key = "key", self._number
+                self._responder = asking.add("key", entry, since, key, partial(self._new_responder, asking))
+                continue
             duration: float = entry.get("for", PRESS_TIME)  # type: ignore[assignment]
-            self._stimuli.add("key", entry, partial(self.press, str(entry["text"]), duration), since)
+            self._controller.stimuli.add(
+                "key", entry, partial(self.press, str(entry["text"]), duration), since
+            )
+
+    def _new_responder(self, asking: Asking) -> Responder:
+        """Return what presses a key when the program asks for one, and none has been pressed or is held."""
+
+        def has_key() -> bool:
+            return bool(self.keys) or self._clock.now < self._until
+
+        def text(rule: Rule) -> str | None:
+            return None if has_key() else str(rule.stimulus.entry["text"])
+
+        def put(rule: Rule, keys: object) -> None:
+            self.press(str(keys), float(rule.stimulus.entry.get("for", PRESS_TIME)))  # type: ignore[arg-type]
+
+        return Responder(asking, lambda keys: f"key {keys}", has_key, text, put)
 
     def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""
@@ -85,12 +107,16 @@ class Operator:
         """Return the next pressed key, or 0 if there is none."""
         if self.observer is not None:
             self.observer()
+        if self._responder is not None:
+            self._responder.read()
         return self.keys.pop(0) if self.keys else 0
 
     def held_key(self) -> int:
         """Return the key that is held down now, or 0."""
         if self.observer is not None:
             self.observer()
+        if self._responder is not None:
+            self._responder.read()
         return self._held_key if self._clock.now < self._until else 0
 
     @property

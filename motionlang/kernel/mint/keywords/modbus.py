@@ -11,6 +11,7 @@ from functools import partial
 from math import inf
 from struct import pack, unpack
 
+from motionlang.kernel.controller.io.asking import Responder, Rule
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
@@ -39,7 +40,10 @@ class Servers:
 
     def __init__(self, environment: Environment) -> None:
         self._clock, self._machine = environment.clock, environment.machine
-        self._stimuli = environment.controller.stimuli
+        self._controller = environment.controller
+        # What writes a register when the program asks for it, by server and register.
+        self._responders: dict[tuple[int, int], Responder] = {}
+        self._asked: dict[tuple[int, int], dict[object, list[int]]] = {}
         self._servers: dict[int, RegisterServer] = {}
         for entry in self._entries("modbus.server"):
             self._declare(entry)
@@ -73,8 +77,41 @@ class Servers:
         value: float = entry["value"]  # type: ignore[assignment]
         width = str(entry.get("as", "word" if isinstance(value, int) else "float"))
         register: int = entry["register"]  # type: ignore[assignment]
-        change = partial(_put, server, register, words_of(value, width))
-        self._stimuli.add("modbus.register", entry, change, since, at_once=True)
+        words = words_of(value, width)
+        if "asked" in entry:
+            self._answer(server, entry, register, words, since)
+            return
+        change = partial(_put, server, register, words)
+        self._controller.stimuli.add("modbus.register", entry, change, since, at_once=True)
+
+    def _answer(
+        self, server: RegisterServer, entry: Entry, register: int, words: Sequence[int], since: float
+    ) -> None:
+        """Write an entry when the program asks for its register and it has another value."""
+        number: int = entry["server"]  # type: ignore[assignment]
+        asking, values = self._controller.answering(), self._asked.setdefault((number, register), {})
+
+        def current() -> list[int]:
+            return [server.words.get(register + k, 0) for k in range(len(words))]
+
+        def other(rule: Rule) -> Sequence[int] | None:
+            words = values[rule.stimulus]
+            return None if words == current() else words
+
+        def put(rule: Rule, words: object) -> None:
+            _put(server, register, words)  # type: ignore[arg-type]
+
+        key = "modbus.register", number, register
+        name = f"register {register} of Modbus server {number}"
+        responder = asking.add(
+            "modbus.register",
+            entry,
+            since,
+            key,
+            lambda: Responder(asking, lambda _: name, current, other, put),
+        )
+        values[responder.rules[-1].stimulus] = list(words)
+        self._responders[number, register] = responder
 
     # ------------------------------------------------------------------------------------------ the client's side
 
@@ -83,6 +120,9 @@ class Servers:
         if self._machine.read_observer is not None:
             self._machine.read_observer("modbus.register", number * (LAST + 1) + register)
         words = self._reached(number, register, count).words
+        for k in range(count if self._responders else 0):
+            if (number, register + k) in self._responders:
+                self._responders[number, register + k].read()
         return [words.get(register + k, 0) for k in range(count)]
 
     def write(self, number: int, register: int, words: Sequence[int]) -> None:
@@ -202,7 +242,7 @@ class Coils:
     """
 
     def __init__(self, environment: Environment) -> None:
-        self._stimuli = environment.controller.stimuli
+        self._controller = environment.controller
         self.values = Channels(environment.clock)
         if environment.machine.read_observer is not None:
             self.values.observer = partial(environment.machine.read_observer, "coil")
@@ -214,7 +254,10 @@ class Coils:
         """Schedule a `[[coil]]` of the machine file; its times count from `since`."""
         coil: int = entry["coil"]  # type: ignore[assignment]
         put, on = partial(self.values.__setitem__, coil), int(entry.get("value", 1) != 0)
-        self._stimuli.add_pulse("coil", entry, put, on, since=since)
+        if "asked" in entry:
+            self._controller.answering().add_channel("coil", self.values, entry, since, on)
+            return
+        self._controller.stimuli.add_pulse("coil", entry, put, on, since=since)
 
     def checked(self, coil: int) -> int:
         if not 0 <= coil <= LAST:

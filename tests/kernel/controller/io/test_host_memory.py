@@ -74,11 +74,11 @@ def test_listeners_are_notified_of_host_writes_and_of_changes() -> None:
 
 def test_the_machine_file_writes_at_its_time() -> None:
     controller, memory = Controller(1), HostMemory()
-    clock, stimuli = controller.clock, controller.stimuli
-    memory.schedule(stimuli, "comms", {"element": 1, "value": 3, "at": 1.0})
-    memory.schedule(stimuli, "netdata", {"element": 2, "value": 3, "at": 1.0})
-    memory.schedule(stimuli, "netdata", {"element": 3, "value": 3, "as": "float"})
-    memory.schedule(stimuli, "comms", {"element": 8, "text": "ABCDE"})
+    clock = controller.clock
+    memory.schedule(controller, "comms", {"element": 1, "value": 3, "at": 1.0})
+    memory.schedule(controller, "netdata", {"element": 2, "value": 3, "at": 1.0})
+    memory.schedule(controller, "netdata", {"element": 3, "value": 3, "as": "float"})
+    memory.schedule(controller, "comms", {"element": 8, "text": "ABCDE"})
     clock.advance(0.5)
     assert (memory.real("comms", 1), memory.real("netdata", 3)) == (0.0, 3.0)
     assert [memory.integer("comms", n) for n in (8, 9)] == [0x41424344, 0x45000000]
@@ -155,7 +155,7 @@ def test_how_values_of_the_machine_file_are_stored() -> None:
     Elsewhere it is an integer.
     """
     controller, memory = Controller(1), HostMemory()
-    clock, stimuli = controller.clock, controller.stimuli
+    clock = controller.clock
     clock.advance(2.0)
     entries: list[tuple[str, dict[str, object]]] = [
         ("comms", {"element": 1, "value": 3}), ("comms", {"element": 2, "value": 3, "as": "integer"}),
@@ -163,7 +163,7 @@ def test_how_values_of_the_machine_file_are_stored() -> None:
         ("dpr", {"address": 0, "value": 0x80000000}), ("dpr", {"address": 1, "value": 3, "as": "float", "at": 1.0}),
     ]  # fmt: skip
     for area, entry in entries:
-        memory.schedule(stimuli, area, entry)
+        memory.schedule(controller, area, entry)
     assert memory.real("comms", 1) == 0.0
     clock.advance(2.0)
     assert (memory.real("comms", 1), memory.integer("comms", 2)) == (3.0, 3)
