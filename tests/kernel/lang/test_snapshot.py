@@ -159,6 +159,40 @@ def test_what_answers_an_output_or_repeats_goes_back() -> None:
     assert check(Source("handshake.mnt", HANDSHAKE), settings)
 
 
+ASKED = """\
+Dim n As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Run Other
+For n = 1 To 10
+  PAUSE INX(3)
+  MOVER(0) = 5 : GO(0) : PAUSE IDLE(0)
+  Repeat : WAIT = 20 : Until Not INX(3)
+  While NETINTEGER(0) = 0 : End While
+  NETINTEGER(0) = 0
+  While INKEY <> 82 : End While
+  PAUSE ADC(0) > 50
+  While ADC(0) > 50 : End While
+  PRINT n, " ", TIME
+Next
+Task Other
+  Loop
+    PAUSE INX(3) And INX(4)
+    PAUSE Not INX(4)
+  End Loop
+End Task
+"""
+
+
+def test_what_answers_when_asked_goes_back() -> None:
+    settings = {
+        "input": [{"channel": 3, "asked": 0.15}, {"channel": 4, "asked": 0.2, "for": 0.3}],
+        "key": [{"text": "R", "asked": 0.3}],
+        "netdata": [{"element": 0, "value": 1, "asked": 0.1}],
+        "analogue": [{"channel": 0, "value": 80.0, "asked": 0.1}],
+    }
+    assert check(Source("asked.mnt", ASKED), settings)
+
+
 def test_an_entry_that_is_added_after_a_snapshot_goes_with_it() -> None:
     """Coils and registers belong to components of the program, which take entries like the machine's own."""
     program = "PAUSE COIL(2)\nPAUSE MODBUSTCP16(4, 8) = 3\nPAUSE INX(3)\nPRINT TIME\nWAIT(9000)\n"

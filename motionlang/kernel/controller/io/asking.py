@@ -373,10 +373,12 @@ class Asking:
         assert tasks is not None
         current, tasks.current = tasks.current, query.task
         self._tested = read = set[int]()
+        is_changed = False
         try:
             result = bool(query.condition())
-            if len(read) > MAX_INPUTS:
+            if len(read) == 1 or len(read) > MAX_INPUTS:
                 return []
+            is_changed = True
             for count in range(1, MAX_CHANGES + 1):
                 found = []
                 for changed in combinations(sorted(read), count):
@@ -387,5 +389,6 @@ class Asking:
                     return found
             return []
         finally:
-            query.condition()  # a wait stores what its last test has read
+            if is_changed:
+                query.condition()  # a wait stores what its last test has read
             self._tested, tasks.current = None, current
