@@ -71,6 +71,8 @@ def _driver(entry: Mapping[str, object]) -> str:
         return in_words(entry)
     if "axis" in entry:
         return f"follows axis {entry['axis']}"
+    if "asked" in entry:
+        return f"{entry['asked']} s after it is asked for"
     every = entry.get("every")
     return f"every {every} s by the machine file" if every else "set by the machine file"
 
