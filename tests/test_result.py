@@ -104,8 +104,10 @@ REPORTED: tuple[
         [("never", ENDLESS, 5, 2, 5, "--input 64=1@0.5 ends it, as does [[input]] of the machine file", "error")],
     ),
     (
-        "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "until",
-        ["line 5: ParentTask still polled IN(1), which could no longer change"], [],
+        "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "fault",
+        ["line 5: the program waits for a change of IN(1), which can never happen"],
+        [("never", "the program waits for a change of IN(1), which can never happen", 5, 1, 5,
+          "[[input]] of the machine file says when it comes", "error")],
     ),
     # Another task can still set the variable; then nothing is left that could.
     (
