@@ -45,6 +45,7 @@ from motionlang.exploration.changes import (
     TABLES,
     TEXTS,
     Change,
+    Channel,
     Entry,
     entries,
     number_in,
@@ -67,6 +68,7 @@ __all__ = [
     "TEXTS",
     "Act",
     "Change",
+    "Channel",
     "Entry",
     "Exploration",
     "FoundSwitches",
@@ -169,6 +171,12 @@ class Exploration:
         """Return the names of what was read in a state, such as "input 3" or "a key"."""
         node = self._explorer.nodes.get(state)
         return [] if node is None else [Change(*channel, 0.0).subject for channel in node.channels]
+
+    def read_line(self, state: RestState, channel: Channel) -> int:
+        """Return the line that has read a channel in a state; the first line of the state if none has."""
+        node = self._explorer.nodes.get(state)
+        read = [] if node is None else [at for at, channels in node.reads.items() if channel in channels]
+        return self.line(min(read or (at for place in state for at in place.statements)))
 
 
 def explore(

@@ -246,7 +246,8 @@ def leading(exploration: Exploration) -> dict[int, dict[int, None]]:
         ways = [set(each.causes) for each in onward if each.causes and each.source is not None]
         least = [way for way in ways if not any(other < way for other in ways)]
         for channel in sorted({one.number for way in least for one in way if one.table == "input"}):
-            found.setdefault(channel, {})[_line(exploration, node.state)] = None
+            line = exploration.read_line(node.state or (), ("input", channel))
+            found.setdefault(channel, {})[line] = None
     return found
 
 

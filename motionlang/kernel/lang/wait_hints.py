@@ -51,12 +51,14 @@ def what_ends(
         triggers, unarmed = dialect.triggers(task, latches)
         leaves |= triggers
     channels = sorted(number for kind, number in leaves if kind == "input" and number is not None)
-    levels = machine.controller.inputs
+    levels = dict(machine.controller.inputs.values)
     if not channels and driven == ["input"]:
         channels = _of_bank(program, machine, task, wait)
     options = []
     if channels:
-        options += [f"{dash}input {each}={int(not levels[each])}@{at}" for each in channels[:MAX_NAMED]]
+        options += [
+            f"{dash}input {each}={int(not levels.get(each, 0))}@{at}" for each in channels[:MAX_NAMED]
+        ]
         driven = driven or ["input"]
     if wait.cause == "operator":
         question = machine.operator.question.strip(" ?:")
