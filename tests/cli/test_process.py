@@ -112,7 +112,7 @@ def test_a_long_run_on_a_terminal_says_how_far_it_is(tmp_path: Path) -> None:
     program = tmp_path / "shuttle.mcl"
     program.write_text("1MN,1PM,1SV1000,1SA10000,1DS10000\n1MR10,1WS,1MR-10,1WS,RP\n")
     main, terminal = pty.openpty()
-    command = [*COMMAND, "run", str(program), "--format", "none"]
+    command = [*COMMAND, "run", str(program), "--format", "none", "--until", "28800"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=terminal) as process:
         os.close(terminal)
         shown = b""

@@ -72,7 +72,7 @@ def test_ctrl_c_keeps_what_was_found() -> None:
 @pytest.mark.slow
 def test_a_packer_of_the_gallery_runs_in_the_world_that_is_found() -> None:
     """The carton follows the stop, the clamp its valve; guard, start button and row are on."""
-    source = Source.read(Path(__file__).parents[3] / "examples" / "old" / "packer.prg")
+    source = Source.read(Path(__file__).parents[2] / "examples" / "old" / "packer.prg")
     language = dialect_of(source.name)
     assert language is not None
     world = explore(language.program(source, is_debug=True)).world

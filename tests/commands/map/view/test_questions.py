@@ -54,8 +54,8 @@ QUESTIONS = {
     },
     "pickplace.mccl": {
         "what must be true before it enters the press?": [
-            "waits in 17 called in 40, 32: WN3 [input 1 (part in press), input 3 (press open)]",
-            "input 1 (part in press) on and input 3 (press open) on → 19",
+            "waits in 17 called in 40, 32: WN3 [input 3 (press open)] input 3 (press open) on → 17",
+            "waits in 17 called in 40, 32: WN1 [input 1 (part in press)] input 1 (part in press) on → 19",
         ],
         "what is output 34?": ["output 34 blow off out"],
         "which axis is which?": ["axis 1 (X)", "axis 2 (Z)"],
@@ -80,9 +80,9 @@ QUESTIONS = {
     "palletiser.prg": {
         "what is input 2?": ["input 2 GRIPPER SHUT in 74"],
         "what must be there before it fetches a bag?": [
-            "waits in 41-45: KY = INKEY [input 4 (STOP BUTTON), input 3 (AIR OK), input 1 (PALLET IN PLACE), a key]",
+            "waits in 41-45: KY = INKEY [a key, input 4 (STOP BUTTON), input 3 (AIR OK), input 1 (PALLET IN PLACE)]",
             "input 1 (PALLET IN PLACE) on → 41-47",
-            "input 0 (BAG AT PICK) on → 73, 74 called in 49, 1.45 s: axis 0 (X) to 0",
+            "input 0 (BAG AT PICK) on → 73, 74 called in 49 (If TIME - TM0 > 1500), 1.45 s: axis 0 (X) to 0",
         ],
         "what does the key R do?": [
             "and key R → 41-47, 0.00 s: output 1 (PALLET CLAMP) on; output 1 (PALLET CLAMP) off"
@@ -160,7 +160,7 @@ QUESTIONS = {
         "which axis is the pump?": ["axis 3 (pump)"],
         "how does it keep the needle from dripping?": [
             "draw back half a turn so that it does not drip, then up",
-            "35 axis 3 (pump) from 11000 to 10800 at 800",
+            "35 axis 3 (pump) from 12000 to 11800 at 800",
         ],
     },
 }
