@@ -38,6 +38,7 @@ GROUPS: dict[tuple[str, str], str] = {
         "a task knows its loops and its hook, which are those of a task",
     ("ide/lsp", "features protocol server"): "a server answers requests with its features, which ask it for texts",
     ("kernel/mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
+    ("exploration", "questions search"): "the search asks the questions, and a question plays its changes",
     ("hosts/mint", "console port"): "a console has ports, and what a port receives acts on its console",
     ("kernel/mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
                       "table_motion_splines"):

@@ -19,7 +19,7 @@ from typing import NamedTuple
 from motionlang.exploration.changes import Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import Begun, Readings, TrialRecorder
-from motionlang.exploration.values import switches_of, written_at
+from motionlang.exploration.roles import switches_of, written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 

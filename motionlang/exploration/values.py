@@ -13,9 +13,7 @@ from itertools import pairwise
 from math import inf, isfinite
 from typing import TYPE_CHECKING
 
-from motionlang.exploration.changes import REGISTERS, Change, Channel
-from motionlang.kernel import Program
-from motionlang.kernel.lang import DRIVES, SET_UP, ChannelUse
+from motionlang.exploration.changes import WHOLE, Change, Channel
 
 if TYPE_CHECKING:
     from motionlang.exploration.trials import Trial
@@ -39,10 +37,6 @@ USUAL: dict[str, Sequence[float | str]] = {
 MAX_VALUES = 24
 # An input comes so often at most.
 MAX_TIMES = 50
-# The tables whose whole numbers are integers.
-WHOLE = ("netdata", "dpr", "modbus.register", "coil")
-# The tables of what has more than two levels, by the device that a statement reads.
-_TABLES = {DRIVES[table][0]: table for table in ("key", "analogue", "comms", *WHOLE)}
 
 
 def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
@@ -57,46 +51,6 @@ def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
 def is_probe(change: Change) -> bool:
     """True if the value of a change is an unusual one."""
     return change.table != "input" and change.value in (*KEYS, *LEVELS, *NUMBERS, *ANSWERS)
-
-
-def written_at(program: Program) -> dict[int, set[Channel]]:
-    """Return the channels with more than two levels that statements write and do not read, by source offset."""
-    found: dict[int, set[Channel]] = {}
-    for at, each in program.structure.statements.items():
-        uses = [(use.access == "read", _channel_of(use)) for use in each.channels]
-        read = {channel for is_read, channel in uses if is_read}
-        found[at] = {channel for is_read, channel in uses if channel is not None and not is_read} - read
-    return {at: channels for at, channels in found.items() if channels}
-
-
-def switches_of(program: Program) -> set[Channel]:
-    """Return the inputs that a program gives to its axes as switches, and that no statement reads."""
-    uses = [use for each in program.structure.statements.values() for use in each.channels]
-    inputs = [(use.access, use.number) for use in uses if use.channel == "input" and use.number.isdecimal()]
-    read = {number for access, number in inputs if access == "read"}
-    return {("input", int(number)) for access, number in inputs if access == SET_UP and number not in read}
-
-
-def written(program: Program) -> set[Channel]:
-    """Return the channels with more than two levels that a program writes."""
-    uses = (use for each in program.structure.statements.values() for use in each.channels)
-    found = (_channel_of(use) for use in uses if use.access != "read")
-    return {each for each in found if each is not None}
-
-
-def _channel_of(use: ChannelUse) -> Channel | None:
-    """Return the channel with more than two levels that a statement uses, None if its number is unknown."""
-    table = _TABLES.get(use.channel, "")
-    number = _number_of(table, use.number) if table else None
-    return None if number is None else (table, number)
-
-
-def _number_of(table: str, text: str) -> int | None:
-    """Return the number of a channel from the text of a program, such as "1, 5" for a register of a server."""
-    numbers = [int(each) for each in text.split(", ") if each.isdecimal()]
-    if table == "key" or len(numbers) != (2 if table == "modbus.register" else 1):
-        return None
-    return numbers[0] * REGISTERS + numbers[1] if table == "modbus.register" else numbers[0]
 
 
 def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:

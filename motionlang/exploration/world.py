@@ -36,10 +36,10 @@ from motionlang.exploration.changes import (
 from motionlang.exploration.cycles import MachineCycle
 from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, Rest, RestState
+from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Causes, delay
 from motionlang.exploration.trials import Trial, TrialMotion, without_figures
-from motionlang.exploration.values import written
 from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
 

@@ -20,7 +20,7 @@ Other units are used for
     `Axis.blend_distance`, `Axis.index_every`                uu
     simulated motors: output; current; torque                V; A; N m; SI units for the plant, except for counts
     gains                                                    see `kernel/servo/gains.py`
-    log: `value` and `limit` of an event                     uu at that time; a `Setting` in counts and seconds
+    log: `value` and `limit` of an event                     uu at that time; a `ChangedSetting` in counts and seconds
     trace                                                    the unit at the end of the column's name
 
 Suffixes and prefixes of names:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, TimedCall
-from motionlang.kernel.controller.io.asking import Asking, Tasks
+from motionlang.kernel.controller.io.asking import Asking, AskingTasks
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.controller.listeners import Listeners
@@ -32,7 +32,7 @@ class ControllerState:
         self.stimuli = Stimuli(clock, self.outputs)
         # What the world answers when the program asks, if it does, and the tasks of the program.
         self.asking: Asking | None = None
-        self.tasks: Tasks | None = None
+        self.tasks: AskingTasks | None = None
         # The events at which pulses of outputs end.
         self._pulses: dict[int, TimedCall] = {}
         # Encoder channels driven from outside, such as that of a conveyor; they have tracks like axes.
@@ -50,6 +50,10 @@ class ControllerState:
         if self.asking is None:
             self.asking = Asking(self)
         return self.asking
+
+    def run_by(self, tasks: AskingTasks) -> None:
+        """Take note of the tasks of the program, which may ask for what answers."""
+        self.tasks = tasks
 
     def encoder(self, channel: int) -> Axis:
         """Return the track of an encoder channel driven from outside."""

@@ -139,7 +139,8 @@ class Scheduler:
         self._next_index = 0
         self._stalls = 0
         machine.log.locate_by(self.where, self.calls)
-        (machine.controller if isinstance(machine, Machine) else machine).tasks = self
+        controller = machine.controller if isinstance(machine, Machine) else machine
+        controller.run_by(self)
         self._hook: Hook | None = getattr(machine, "hook", None)
 
     @property

@@ -14,11 +14,11 @@ from motionlang.kernel.log.moves import LoggedMoves
 from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import (
     Changed,
+    ChangedSetting,
     Event,
     Looped,
     Printed,
     Sampled,
-    Setting,
     Switched,
     Waited,
     Zeroed,
@@ -68,7 +68,7 @@ class Log:
     inputs, analogue_inputs: `Changed`
     outputs, analogue_outputs: `Switched`
     sampled    `Sampled`, from which `analogue_inputs` has the samples of sensors on moving axes
-    settings   `Setting`, written if the value has changed
+    settings   `ChangedSetting`, written if the value has changed
     zeros      `Zeroed`, each new zero of an axis
     waits      `Waited`, each when it is over
     loops      `Looped`, each loop of more than a hundred statements, when it is over
@@ -90,7 +90,7 @@ class Log:
         # The changes of analogue inputs with the samples, which the controller computes.
         self.analogue_inputs: Iterable[Changed] = self.changes_of_analogue_inputs
         self.analogue_outputs: Stream[Switched] = Stream(store, Switched)
-        self.settings: Stream[Setting] = Stream(store, Setting)
+        self.settings: Stream[ChangedSetting] = Stream(store, ChangedSetting)
         self.zeros: Stream[Zeroed] = Stream(store, Zeroed)
         self.waits: Stream[Waited] = Stream(store, Waited)
         self.loops: Stream[Looped] = Stream(store, Looped)

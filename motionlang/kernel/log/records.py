@@ -147,7 +147,7 @@ class Event(NamedTuple):
     text: str
 
 
-class Setting(NamedTuple):
+class ChangedSetting(NamedTuple):
     """A setting of an axis changed to a new value, in counts and seconds.
 
     Its name is the one in the controller.

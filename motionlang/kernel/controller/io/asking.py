@@ -51,7 +51,7 @@ DRIVEN = {
 }
 
 
-class Reader(Protocol):
+class AskedReader(Protocol):
     """A task that reads, as far as asking needs it."""
 
     done: bool
@@ -64,7 +64,7 @@ class Reader(Protocol):
         """Return the condition that its present statement tests, None if that is not known."""
 
 
-class Tasks(Protocol):
+class AskingTasks(Protocol):
     """The tasks of the program: the scheduler."""
 
     current: Any
@@ -74,7 +74,7 @@ class Tasks(Protocol):
 
 
 @dataclass(slots=True, eq=False)
-class Rule:
+class AskedRule:
     """An entry that acts when asked; `stimulus` counts how often it has."""
 
     stimulus: Stimulus
@@ -103,7 +103,7 @@ class Query:
     count: int = 1
     # The longest time between two reads.
     period: float = 0.0
-    rule: Rule | None = None
+    rule: AskedRule | None = None
     event: TimedCall | None = None
     # Why it is not answered now: it was not needed with these levels, or another one has asked for longer.
     levels: object = None
@@ -121,14 +121,14 @@ class Responder:
         asking: Asking,
         name: Callable[[object], str],
         current: Callable[[], object],
-        other: Callable[[Rule], object],
-        put: Callable[[Rule, object], object],
+        other: Callable[[AskedRule], object],
+        put: Callable[[AskedRule, object], object],
         channel: int = -1,
     ) -> None:
         self._asking, self._name, self._current, self._other, self._put = asking, name, current, other, put
         # The number of a digital input, -1 for any other value.
         self.channel = channel
-        self.rules: list[Rule] = []
+        self.rules: list[AskedRule] = []
         self.queries: dict[tuple[Any, tuple[int, ...]], Query] = {}
 
     def read(self) -> None:
@@ -180,7 +180,7 @@ class Responder:
         time = max(max(query.since, rule.begin) + rule.delay, asking.clock.now)
         query.event = asking.clock.at(time, lambda: self._answer(query))
 
-    def _fits(self, rule: Rule) -> bool:
+    def _fits(self, rule: AskedRule) -> bool:
         """True if a rule may act on the present value."""
         if rule.stimulus.count >= rule.times or self._asking.clock.now < rule.until:
             return False
@@ -255,13 +255,13 @@ class Asking:
         channel: int = entry[DRIVEN[table][1]]  # type: ignore[assignment]
         key = table, channel
 
-        def put(rule: Rule, value: object) -> None:
+        def put(rule: AskedRule, value: object) -> None:
             channels[channel] = value  # type: ignore[assignment]
             if rule.length < INFINITY:
                 back = 0.0 if value else on
                 self.clock.at(rule.until, lambda: channels.__setitem__(channel, back))
 
-        def other(rule: Rule) -> float:
+        def other(rule: AskedRule) -> float:
             entry = rule.stimulus.entry
             value: float = 1 if table == "input" else entry.get("value", 1)  # type: ignore[assignment]
             return 0 if channels.present(channel) == value else value
@@ -298,7 +298,7 @@ class Asking:
         self.controller.stimuli.all.append(stimulus)
         delay, length = float(entry["asked"]), float(entry.get("for", INFINITY))  # type: ignore[arg-type]
         begin, times = since + float(entry.get("at", 0.0)), float(entry.get("times", INFINITY))  # type: ignore[arg-type]
-        responder.rules.append(Rule(stimulus, delay, begin, times, entry.get("level"), length))
+        responder.rules.append(AskedRule(stimulus, delay, begin, times, entry.get("level"), length))
         return responder
 
     def _reads_input(self, channel: int) -> None:

@@ -87,6 +87,10 @@ class Channels:
         finally:
             self._values, self.is_supposed = before, False
 
+    def observe(self, observer: Callable[[int], None]) -> None:
+        """Call `observer` with each channel that the program reads."""
+        self.observer = observer
+
     @property
     def values(self) -> tuple[tuple[int, float], ...]:
         """The channels that have been set, with their values."""

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from math import inf
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.io.asking import Asking, Responder, Rule
+from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
 from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.errors import Rejected
 
@@ -122,11 +122,11 @@ class HostMemory:
         def current() -> list[int]:
             return self._words[area][element : element + 1].tolist()
 
-        def other(rule: Rule) -> list[int] | None:
+        def other(rule: AskedRule) -> list[int] | None:
             words = _words(area, rule.stimulus.entry)
             return None if words[:1] == current() else words
 
-        def put(rule: Rule, words: object) -> None:
+        def put(rule: AskedRule, words: object) -> None:
             self.write(area, element, words)  # type: ignore[arg-type]
 
         name = f"{_CALLED[area]}, {'address' if area == 'dpr' else 'element'} {element}"

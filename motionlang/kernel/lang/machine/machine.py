@@ -239,8 +239,9 @@ class Machine:
     def observe_reads(self, observer: Callable[[str, int], None]) -> None:
         """Call `observer(table, number)` with what the program reads of the world, by the table of the machine file."""
         self.read_observer = observer
-        self.controller.inputs.observer = partial(observer, "input")
-        self.controller.analogue_inputs.observer = partial(observer, "analogue")
+        inputs, levels = self.controller.inputs, self.controller.analogue_inputs
+        inputs.observe(partial(observer, "input"))
+        levels.observe(partial(observer, "analogue"))
         self.host.observer = observer
         for operator in self._operators.values():
             operator.observer = partial(observer, "key", 0)

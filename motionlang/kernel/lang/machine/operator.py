@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from motionlang.kernel.controller.io.asking import Asking, Responder, Rule
+from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
 from motionlang.kernel.controller.state import ControllerState
 from motionlang.kernel.lang.machine.terminal import Terminal
 
@@ -74,9 +74,8 @@ class Operator:
                 self._responder = asking.add("key", entry, since, key, partial(self._new_responder, asking))
                 continue
             duration: float = entry.get("for", PRESS_TIME)  # type: ignore[assignment]
-            self._controller.stimuli.add(
-                "key", entry, partial(self.press, str(entry["text"]), duration), since
-            )
+            stimuli = self._controller.stimuli
+            stimuli.add("key", entry, partial(self.press, str(entry["text"]), duration), since)
 
     def _new_responder(self, asking: Asking) -> Responder:
         """Return what presses a key when the program asks for one, and none has been pressed or is held."""
@@ -84,10 +83,10 @@ class Operator:
         def has_key() -> bool:
             return bool(self.keys) or self._clock.now < self._until
 
-        def text(rule: Rule) -> str | None:
+        def text(rule: AskedRule) -> str | None:
             return None if has_key() else str(rule.stimulus.entry["text"])
 
-        def put(rule: Rule, keys: object) -> None:
+        def put(rule: AskedRule, keys: object) -> None:
             self.press(str(keys), float(rule.stimulus.entry.get("for", PRESS_TIME)))  # type: ignore[arg-type]
 
         return Responder(asking, lambda keys: f"key {keys}", has_key, text, put)

@@ -11,7 +11,7 @@ from functools import partial
 from math import inf
 from struct import pack, unpack
 
-from motionlang.kernel.controller.io.asking import Responder, Rule
+from motionlang.kernel.controller.io.asking import AskedRule, Responder
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
@@ -82,7 +82,8 @@ class Servers:
             self._answer(server, entry, register, words, since)
             return
         change = partial(_put, server, register, words)
-        self._controller.stimuli.add("modbus.register", entry, change, since, at_once=True)
+        stimuli = self._controller.stimuli
+        stimuli.add("modbus.register", entry, change, since, at_once=True)
 
     def _answer(
         self, server: RegisterServer, entry: Entry, register: int, words: Sequence[int], since: float
@@ -94,11 +95,11 @@ class Servers:
         def current() -> list[int]:
             return [server.words.get(register + k, 0) for k in range(len(words))]
 
-        def other(rule: Rule) -> Sequence[int] | None:
+        def other(rule: AskedRule) -> Sequence[int] | None:
             words = values[rule.stimulus]
             return None if words == current() else words
 
-        def put(rule: Rule, words: object) -> None:
+        def put(rule: AskedRule, words: object) -> None:
             _put(server, register, words)  # type: ignore[arg-type]
 
         key = "modbus.register", number, register
