@@ -7,6 +7,7 @@ from __future__ import annotations
 
 # Operation -> description. Every operation is a method of `Controller`; the dialects call no other.
 OPERATIONS: dict[str, str] = {
+    "run_by": "Take note of the tasks of the program, which may ask for what answers.",
     "configure": "Set one of an axis's settings: a speed, a rate, a time, a shape, a buffer size.",
     "set_home_switch": "Close or open the home switch of an axis.",
     "add_limit": "A further limit of an axis's travel.",

@@ -450,7 +450,8 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
             entry |= {"every": round((begins[1] - begins[0]) / times, 2), "times": MARKS}
         elif times > 1:
             entry |= {"every": round((position(move.end) - position(move.begin)) / times, 2), "times": times}
-        if entry.get("every", SAME) >= SAME:  # type: ignore[operator]
+        every_uu: float = entry.get("every", between[1] - between[0] + SAME)  # type: ignore[assignment]
+        if every_uu > between[1] - between[0]:  # a mark ends before the next one
             found[number] = entry
     return found
 
