@@ -1,4 +1,4 @@
-"""What a program remembers at rest: the variables whose values decide what it does later.
+"""The memory of a program at rest: the variables whose values decide its later branches.
 
 Problem. A machine that waits at the same statement need not be in the same state: after a look that failed, `good = 0`
 decides minutes later that the part is bad. Most variables decide nothing, or are written again before they do.

@@ -1,4 +1,4 @@
-"""What is asked of a state: the changes of the world that may lead on from it, the likeliest first.
+"""The questions to a state: changes of the world that may lead on from it, the likeliest first.
 
 Problem. A condition may need an input, a number, a key, or several of them at once, and no text says which.
 
@@ -46,7 +46,7 @@ ENOUGH = 3
 PERIOD = 0.4
 # So many channels of one condition change at once, and so many values of a number are tried with another channel.
 MAX_TOGETHER, MAX_SOLVED = 3, 6
-# A condition has so many channels; a statement that has read more of them stands for several conditions.
+# A condition has so many channels; a statement that has read more of them contains several conditions.
 MAX_CONDITION = 4
 # A statement that has read more inputs than this reads a bank.
 MAX_READ = 8

@@ -472,6 +472,7 @@ class Improver:
         limited = {each.axis for each in self._limits}
         bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
         self._leading = _leading_to_rates(self._structure)
+        self._words = {each.lower() for text in self._leading.values() for each in re.findall(r"\w+", text)}
         self._offsets = sorted(self._structure.statements)
         self._numbers = {each.address: each.value for each in self.literals if self._may_set(each)}
         lacking: dict[int, dict[str, None]] = {}
@@ -507,8 +508,7 @@ class Improver:
         if not (literal.is_write and literal.value):
             return False
         at = self._offsets[max(bisect_right(self._offsets, literal.offset) - 1, 0)]
-        name = re.compile(rf"\b{re.escape(literal.base)}\b", re.IGNORECASE)
-        return at in self._leading or any(name.search(text) for text in self._leading.values())
+        return at in self._leading or literal.base.lower() in self._words
 
     def _lowered(self, literal: Literal) -> Run | None:
         """Return the run with a lower value of a literal; None if the program has an error then."""

@@ -111,7 +111,7 @@ class Query:
 
 
 class Responder:
-    """What answers when a value is asked for.
+    """The source of a value that is asked for.
 
     `current` returns the value, `other` the one to which a rule would change it, None if it would not.
     """
@@ -238,7 +238,7 @@ class Responder:
 
 
 class Asking:
-    """What a machine answers when it is asked, and which tasks have started which axes."""
+    """The answers of a machine when it is asked, and the tasks that have started its axes."""
 
     def __init__(self, controller: ControllerState) -> None:
         self.controller = controller
