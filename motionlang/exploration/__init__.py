@@ -20,9 +20,8 @@ comparisons need; they are found by halves.
 A state is where the tasks rest (`rests.py`), and what the program remembers there: the variables that decide what it
 does later (`memory.py`). At a place that is known already, what led on there is tried first.
 
-An input that is read while an axis moves, or whose change starts a handler, is changed in the middle of the move, too:
-once for each line that moves an axis and what moves after it. If the comparisons of a program count how often an input
-comes, in a move or at rest, it comes as often as they ask for.
+An input that is read while an axis moves, or whose change starts a handler, is changed in the middle of the move, too.
+If the comparisons of a program count how often an input comes, in a move or at rest, it comes as often as they ask for.
 
 A question is a state, and an answer is a change. Without a choice are the switches of an axis that homes for ever
 (`switches.py`). The likeliest cycles (`cycles.py`) are played, and the world of the first that repeats is described by

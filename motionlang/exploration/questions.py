@@ -9,7 +9,10 @@ changes: an input to its other level, a number to the values at which the compar
     of conditions      the channels of one statement together: two of them, then three
     behind             what led on, with one more channel that was read on the way, such as a look that decides
     with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
-    in a move          an input that was read while an axis moved, or starts a handler, in the middle of the move
+    in a move          an input that was read while an axis moved, or starts a handler, in the middle of the move; at
+                       first once for each line that moves an axis and what moves after it, late from each state
+    as often           an input that is read again behind its change, at rest or in a move, comes and goes one to three
+                       times, and as often as the comparisons ask for that differ by the same each time
 
 Cost. A number takes two trials with unusual values to be solved. Of one statement not more than `MAX_TOGETHER`
 channels are changed at once.
@@ -23,7 +26,7 @@ from itertools import chain, combinations, product
 from math import inf
 from typing import TYPE_CHECKING
 
-from motionlang.exploration.changes import TEXTS, Change, Channel, Moment, levels_at
+from motionlang.exploration.changes import AT_REST, TEXTS, Change, Channel, Moment, levels_at
 from motionlang.exploration.rests import BODY, EXACT, SHORTEST_REST, Rest
 from motionlang.exploration.states import Causes, ChangeInMove, StateNode, Visit
 from motionlang.exploration.trials import Trial, TrialMotion
@@ -40,7 +43,7 @@ from motionlang.exploration.values import (
 if TYPE_CHECKING:
     from motionlang.exploration.search import Explorer
 
-# So many trials show that a program counts how often an input comes: without it, once, twice.
+# So many trials show that a program counts how often an input comes.
 ENOUGH = 3
 # The period of an input that comes and goes at rest, s.
 PERIOD = 0.4
@@ -65,10 +68,7 @@ def one_by_one(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Ca
     inputs = [each for each in read if each[0] == "input"]
     inputs += [("input", each) for each in sorted(explorer.triggers)]
     for channel in dict.fromkeys(inputs):
-        change = _flipped(channel, levels)
-        yield (change,)
-        if channel[1] in explorer.counters and node.state is not None:
-            yield from _counted(explorer, node, visit, (), partial(_pulses, change))
+        yield (_flipped(channel, levels),)
     if visit.question is not None:
         yield from _answers(explorer, node, visit)
         return
@@ -81,6 +81,23 @@ def as_before(explorer: Explorer, node: StateNode) -> Iterator[Causes]:
     """Yield what leads on from the states at the same place, where the program remembers something else."""
     for other in explorer.same_place(node):
         yield from dict.fromkeys(each.causes for each in list(other.transitions) if each.causes)
+
+
+def pulses(explorer: Explorer, node: StateNode, visit: Visit, change: Change) -> Iterator[Causes]:
+    """Yield an input that comes and goes as often as the program counts it, where once leads nowhere."""
+    once = explorer.changed(visit, _pulses(change, 1))
+    last = explorer.rests(once)[-1:]
+    if [each.state for each in last] == [node.state] and not once.part(visit.change_time, inf).moves:
+        yield from _counted(explorer, node, visit, partial(_pulses, change), [once])
+
+
+def is_read_again(explorer: Explorer, trial: Trial, change: Change) -> bool:
+    """True if a program at rest reads an input also behind its change, or it starts a handler: it may be counted."""
+    if change.table != "input" or change.moment != AT_REST:
+        return False
+    if change.number in explorer.counters:
+        return True
+    return any(change.channel in read for rest in explorer.rests(trial) for read in rest.reads.values())
 
 
 def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
@@ -219,7 +236,7 @@ def _compared(
     yield from (tuple(sorted((*others, each))) for each in solved(first, second, *trials))
     # Last, so that what an unusual value does is known of a value that a person would give.
     for causes, trial in zip(both, trials, strict=True):
-        explorer.arrive(node, visit, causes, trial)
+        explorer.take(node, visit, causes, trial)
 
 
 def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
@@ -237,59 +254,63 @@ def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Caus
 # ------------------------------------------------------------------------------------------------------ in moves
 
 
-def changes_in_moves(explorer: Explorer, trial: Trial, since: float, until: float) -> list[ChangeInMove]:
-    """Return the inputs that are read while an axis moves, or that start a handler."""
+def changes_in_moves(
+    explorer: Explorer, trial: Trial, since: float, until: float, causes: Causes
+) -> list[ChangeInMove]:
+    """Return the inputs that are read while an axis moves, or that start a handler, but for those that changed so."""
+    if any(each.moment.line for each in causes):
+        return []
     motions: dict[int, TrialMotion] = {}
-    for each in trial.part(since, until).motions:
+    part = trial.part(since, until)
+    for each in part.motions:
         if each.words and each.end - each.begin > SHORTEST_REST:
             motions.setdefault(each.line, each)
     found = []
     for motion in motions.values():
         levels = levels_at(trial.timeline, motion.begin)
-        onward = frozenset(each.line for each in motions.values() if each.begin > motion.begin)
+        onward = frozenset(each.line for each in part.motions if each.begin > motion.begin)
         read = _read(explorer, trial, motion.begin + 2 * EXACT, motion.end - EXACT)
         inputs = (*(number for table, number in read if table == "input"), *sorted(explorer.triggers))
         for number in dict.fromkeys(inputs):
-            possible = ChangeInMove(_flipped(("input", number), levels), motion, onward)
-            if possible.key not in explorer.changed_in:
-                found.append(possible)
+            found.append(ChangeInMove(_flipped(("input", number), levels), motion, onward))
     return found
 
 
 def in_moves(
     explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, possible: Sequence[ChangeInMove]
 ) -> Iterator[Causes]:
-    """Play the changes with one more in the middle of a move, where none was yet; yield those that are counted."""
+    """Yield changes with one more in the middle of a move, once or as often as it is counted."""
     for each in possible:
-        if explorer.trials.is_over:
-            return
-        if each.key in explorer.changed_in:
+        if (each.key, node.state) in explorer.changed_in:
             continue
-        explorer.changed_in.add(each.key)
-        once = each.added(causes, visit.change_time)
-        explorer.arrive(node, visit, once, explorer.changed(visit, once))
+        explorer.changed_in |= {each.key, (each.key, node.state)}
+        yield each.added(causes, visit.change_time)
         if each.change.number in explorer.triggers - explorer.counters:
             continue
-        often = partial(each.added, causes, visit.change_time)
-        yield from _counted(explorer, node, visit, causes, often)
+        yield from _counted(explorer, node, visit, partial(each.added, causes, visit.change_time))
 
 
 def _counted(
-    explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, often: Callable[[int], Causes]
+    explorer: Explorer,
+    node: StateNode,
+    visit: Visit,
+    often: Callable[[int], Causes],
+    known: Sequence[Trial] = (),
 ) -> Iterator[Causes]:
-    """Yield changes with one more, which comes as often as a program counts it."""
-    tried = [causes, *map(often, range(1, ENOUGH))]
-    trials: list[Trial] = []
-    for each in tried:
+    """Yield changes with an input that comes and goes as often as a program counts it."""
+    trials = list(known)
+    wanted: list[int] = []
+    while len(trials) < ENOUGH and (len(trials) < 2 or wanted):
         if explorer.trials.is_over:
             return
-        trials.append(explorer.changed(visit, each))
-        if len(trials) > 1 and not counts(trials):
-            return
-    yield from map(often, counts(trials))
+        trials.append(explorer.changed(visit, often(len(trials) + 1)))
+        # What is over after two times counts no third one.
+        wanted = [*(each for each in wanted if each <= ENOUGH), *counts(trials)]
+    yield from map(often, (each for each in wanted if each > ENOUGH))
     # Last, so that what too few do is known of enough.
-    for each, trial in zip(tried[1:], trials[1:], strict=True):
-        explorer.arrive(node, visit, each, trial)
+    for times, trial in enumerate(trials, 1):
+        if max(wanted, default=0) > ENOUGH or (times in wanted and trial.is_news):
+            explorer.take(node, visit, often(times), trial)
 
 
 def _pulses(change: Change, times: int) -> Causes:

@@ -28,12 +28,18 @@ class Begun(NamedTuple):
 
 
 class ReadSpan(NamedTuple):
-    """When a statement read a channel again and again: the times of the first and of the last reading, s."""
+    """When a statement read a channel again and again: the times of the first and of the last reading, s.
+
+    No move began meanwhile; `moves` were made before.
+    """
 
     first: float
     last: float
+    moves: int
 
 
+# A comparison: the source offset of its statement, and its number among those of the statement, from 1 on.
+Comparison = tuple[int, int]
 # The channels that statements have read, as table and number, with the spans in which they did so.
 Readings = Mapping[int, Mapping[Channel, Sequence[ReadSpan]]]
 
@@ -73,14 +79,15 @@ class TrialRecorder(Hook):
         # True if so many statements were nothing new.
         self.is_idle = False
         self.statements: dict[str, list[Begun]] = defaultdict(list)
-        # By source offset: left and right side of each comparison, in order.
-        self.comparisons: dict[int, list[tuple[object, object]]] = defaultdict(list)
+        # Left and right side of each comparison, in order.
+        self.comparisons: dict[Comparison, list[tuple[object, object]]] = defaultdict(list)
         self.readings: dict[int, dict[Channel, list[ReadSpan]]] = defaultdict(lambda: defaultdict(list))
         # The values of the remembered variables, each time that one of them has changed.
         self.memory: list[tuple[float, tuple[object, ...]]] = []
         # The offsets of the statements that began, and with the comparisons of one which side was the larger one.
         self.seen: set[int | tuple[int, int, int]] = set()
-        self._comparisons = 0  # of the present statement
+        # The number of comparisons of the present statement at a time: a wait compares again and again.
+        self._comparisons, self._compared = 0, -inf
         # The statement that handlers have interrupted; -1 if none runs.
         self._interrupted = -1
         self._is_recorded = False
@@ -124,11 +131,11 @@ class TrialRecorder(Hook):
         at, now = self._place(), self._machine.clock.now
         if at < 0 or (table, number) in self._switches or (table, number) in self._written.get(at, ()):
             return
-        spans = self.readings[at][table, number]
-        if spans and now - spans[-1].last <= SAME_SPAN:
-            spans[-1] = ReadSpan(spans[-1].first, now)
+        spans, moves = self.readings[at][table, number], self._machine.moves_made
+        if spans and now - spans[-1].last <= SAME_SPAN and spans[-1].moves == moves:
+            spans[-1] = ReadSpan(spans[-1].first, now, moves)
         else:
-            spans.append(ReadSpan(now, now))
+            spans.append(ReadSpan(now, now, moves))
 
     def _place(self) -> int:
         """Return the statement that runs, or that of the wait whose condition is checked."""
@@ -196,11 +203,13 @@ class TrialRecorder(Hook):
         assert self._machine is not None
         if self._machine.controller.inputs.is_supposed:
             return  # a hint asks what would end a wait
-        at = self._place()
-        if self._is_recorded or self._machine.clock.now >= self.since:  # a wait compares after it has begun
-            self.comparisons[at].append((left, right))
+        at, now = self._place(), self._machine.clock.now
+        if now != self._compared:
+            self._comparisons, self._compared = 0, now
+        if self._is_recorded or now >= self.since:  # a wait compares after it has begun
+            self._comparisons += 1
+            self.comparisons[at, self._comparisons].append((left, right))
             if isinstance(left, (int, float)) and isinstance(right, (int, float)):
-                self._comparisons += 1
                 self.seen.add((at, self._comparisons, (left > right) - (left < right)))
 
 

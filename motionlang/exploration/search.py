@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import Counter, defaultdict
-from collections.abc import Callable, Collection, Hashable, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping
 from math import inf
 from operator import attrgetter
 
@@ -72,7 +72,8 @@ class Explorer:
         quiet = [each for each in events if not commands(structure, each)]
         self.counters = triggers_of(quiet)
         self._commanding = self.handlers.difference(*(reached_in(structure, each) for each in quiet))
-        # The changes in the middle of a move that were tried.
+        # The timelines that were tried, and the changes in the middle of a move: at all, and from each state.
+        self.tried: set[Timeline] = set()
         self.changed_in: set[Hashable] = set()
         # The inputs that matter of the banks that statements read, by source offset.
         self.banks: dict[int, list[Channel]] = {}
@@ -152,26 +153,30 @@ class Explorer:
 
     def _leave(self, node: StateNode, departure: Departure) -> None:
         """Try the changes of a departure; what leads to something new is tried again with one more change."""
-        visit, tried = departure.visit, departure.tried
+        visit = departure.visit
         if departure.changes is None:
             more = questions.of_conditions(self, node, visit)
-            node.left.append(Departure(visit, more, departure.depth + 1, tried))
+            node.left.append(Departure(visit, more, departure.depth + 1))
         for causes in departure.changes or questions.one_by_one(self, node, visit):
             if self.trials.is_over:
                 return
-            if causes in tried:
-                continue
-            tried.add(causes)
-            node.tried[causes] = None
-            seen, states, read = len(self.trials.seen), len(self.nodes), len(node.channels)
-            trial = self.changed(visit, causes)
-            news, rest = self.arrive(node, visit, causes, trial)
-            if news or (len(self.trials.seen), len(self.nodes)) != (seen, states):
-                more = questions.behind(self, node, visit, causes, trial, rest)
-                node.left.append(Departure(visit, more, departure.depth + 1, tried))
-            if len(node.channels) > read:
-                more = questions.with_more(self, node, visit, causes, node.channels[read:])
-                node.left.append(Departure(visit, more, departure.depth + 1, tried))
+            if visit.changed(causes) not in self.tried:
+                self.take(node, visit, causes, self.changed(visit, causes))
+
+    def take(self, node: StateNode, visit: Visit, causes: Causes, trial: Trial) -> None:
+        """Take what a trial has found; ask further if it is something new."""
+        self.tried.add(trial.timeline)
+        node.tried[causes] = None
+        states, read = len(self.nodes), len(node.channels)
+        news, rest = self.arrive(node, visit, causes, trial)
+        further: list[Iterator[Causes]] = []
+        if len(causes) == 1 and questions.is_read_again(self, trial, causes[0]):
+            further.append(questions.pulses(self, node, visit, causes[0]))
+        if news or trial.is_news or len(self.nodes) > states:
+            further.append(questions.behind(self, node, visit, causes, trial, rest))
+        if len(node.channels) > read:
+            further.append(questions.with_more(self, node, visit, causes, node.channels[read:]))
+        node.left += (Departure(visit, each, len(causes) + 1) for each in further)
 
     def _forget(self) -> None:
         """Forget the variables with many values, and take states for one that differ in them alone."""
@@ -208,7 +213,9 @@ class Explorer:
         first: Rest | None = None
         is_over = False  # the stay has ended by itself all the same
         source, back, how, since = node, visit, causes, trial.since
-        found = self.rests(trial)
+        # An input that comes and goes passes the rests on its way.
+        pulses = [each.levels(trial.since)[-1][0] for each in causes if each.moment.every]
+        found = [rest for rest in self.rests(trial) if rest.end > max(pulses, default=-inf)]
         if trial.status == "until" and not any(rest.end == inf for rest in found):
             self._note_work(trial)
         for rest in found:
@@ -299,9 +306,7 @@ class Explorer:
         """Return what is tried from a new state: at a known place what leads on there first, and the rest late."""
         if not self.same_place(node):
             return [Departure(visit)]
-        tried: set[Causes] = set()
-        before = questions.as_before(self, node)
-        return [Departure(visit, before, tried=tried), Departure(visit, depth=LATE, tried=tried)]
+        return [Departure(visit, questions.as_before(self, node)), Departure(visit, depth=LATE)]
 
     def same_place(self, node: StateNode) -> list[StateNode]:
         """Return the other states in which the tasks rest at the same places."""
@@ -334,10 +339,11 @@ class Explorer:
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
         fails = any(each.ended == "fault" for each in part.moves)
-        possible = questions.changes_in_moves(self, trial, since, until)
-        if possible:
-            changes = questions.in_moves(self, source, visit, causes, possible)
-            source.left.append(Departure(visit, changes))
+        possible = questions.changes_in_moves(self, trial, since, until, causes)
+        for is_new in (True, False):
+            some = [each for each in possible if (each.key not in self.changed_in) is is_new]
+            changes = questions.in_moves(self, source, visit, causes, some)
+            source.left += [Departure(visit, changes, 1 if is_new else LATE)] if some else []
         source.transitions.append(
             Transition(
                 source.state,

@@ -89,15 +89,11 @@ class Transition:
 
 @dataclass(eq=False)
 class Departure:
-    """Changes that are still to be tried from a visit, so many at once; None for each change by itself.
-
-    `tried` are those that have been tried from the visit.
-    """
+    """Changes that are still to be tried from a visit, so many at once; None for each change by itself."""
 
     visit: Visit
     changes: Iterator[Causes] | None = None
     depth: int = 1
-    tried: set[Causes] = field(default_factory=set)
 
 
 @dataclass

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from motionlang.exploration.changes import Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
-from motionlang.exploration.recorder import Begun, Readings, TrialRecorder
+from motionlang.exploration.recorder import Begun, Comparison, Readings, TrialRecorder
 from motionlang.exploration.roles import switches_of, written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
@@ -75,7 +75,7 @@ class Trial(NamedTuple):
 
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
     `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
-    for which it has no answer.
+    for which it has no answer. `is_news` is True if a statement began or a comparison turned that no trial had seen.
     `waits` are in the order of their ends; those that go on end at infinity. `outputs` and, as the `TrialRecorder` has
     them, `statements`, `comparisons` and `readings` are those from `since` on.
     """
@@ -93,9 +93,10 @@ class Trial(NamedTuple):
     prints: Sequence[Printed]
     waits: Sequence[Waited]
     statements: Mapping[str, Sequence[Begun]]
-    comparisons: Mapping[int, Sequence[tuple[object, object]]]
+    comparisons: Mapping[Comparison, Sequence[tuple[object, object]]]
     readings: Readings
     memory: Sequence[tuple[float, tuple[object, ...]]]
+    is_news: bool = False
 
     def part(self, since: float, until: float) -> Trial:
         """Return the trial with only the moves, outputs and prints between two times."""
@@ -207,8 +208,9 @@ class Trials:
             until = last + horizon
             self.last = self._run_on(self.last.machine, until)
             trial = _trial(timeline, since, self.last, recorder, self.base)
+        seen = len(self.seen)
         self._note_work(recorder)
-        return trial
+        return trial._replace(is_news=len(self.seen) > seen)
 
     def _note_work(self, recorder: TrialRecorder) -> None:
         self.seen |= recorder.seen

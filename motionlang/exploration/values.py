@@ -9,11 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import inf, isfinite
 from typing import TYPE_CHECKING
 
 from motionlang.exploration.changes import WHOLE, Change, Channel
+from motionlang.exploration.recorder import Comparison
 
 if TYPE_CHECKING:
     from motionlang.exploration.trials import Trial
@@ -71,25 +72,29 @@ def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Chan
 
 
 def counts(trials: Sequence[Trial]) -> list[int]:
-    """Return how often an input must come for comparisons to turn that count it, from trials with 0, 1, 2 … times.
+    """Return how often an input must come for comparisons to turn that count it, from trials with 1, 2 … times.
 
     What counts it differs by the same from each trial to the next one.
     """
-    first, *others = ({at: each[-1] for at, each in _margins(trial).items() if each} for trial in trials)
+    if len(trials) < 2:
+        return []
+    first, *others = map(_margins, trials)
     found: dict[int, None] = {}
-    for at, margin in first.items():
-        known = [margin, *(other[at] for other in others if at in other)]
-        steps = {after - before for before, after in pairwise(known)}
-        if len(known) < len(trials) or len(steps) > 1 or 0.0 in steps:
-            continue
-        root = -margin / steps.pop()
-        if root.is_integer():
-            found |= dict.fromkeys((int(root), int(root) + 1))
-    return [each for each in found if len(trials) <= each <= MAX_TIMES]
+    for at, margins in first.items():
+        rows = [margins, *(other.get(at, []) for other in others)]
+        # One after the other, and the last ones, since a loop that waits compares more often for more pulses.
+        for known in dict.fromkeys((*zip(*rows, strict=False), tuple(chain(*(row[-1:] for row in rows))))):
+            steps = {after - before for before, after in pairwise(known)}
+            if len(known) < len(trials) or len(steps) > 1 or 0.0 in steps:
+                continue
+            root = 1 - known[0] / steps.pop()
+            if root.is_integer():
+                found |= dict.fromkeys((int(root), int(root) + 1))
+    return [each for each in found if 1 < each <= MAX_TIMES]
 
 
-# The offsets of comparisons, and the sides that they have seen.
-Compared = frozenset[tuple[int, tuple[object, object]]]
+# Comparisons, and the sides that they have seen.
+Compared = frozenset[tuple[Comparison, tuple[object, object]]]
 
 
 def compared_in(trial: Trial) -> Compared:
@@ -120,8 +125,8 @@ def _differing(usual: Compared, new: Compared) -> Iterator[tuple[float, float, f
                 yield c, d, a
 
 
-def _margins(trial: Trial) -> dict[int, list[float]]:
-    """Return left side minus right side of the comparisons of numbers, by source offset."""
+def _margins(trial: Trial) -> dict[Comparison, list[float]]:
+    """Return left side minus right side of the comparisons of numbers."""
     return {
         at: [
             float(left) - float(right)

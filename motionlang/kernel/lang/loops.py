@@ -383,7 +383,7 @@ class Loops:
                 return (*self._skip(task, now, toggle, INFINITY), True)
         if change is None:
             return t, None, last.before is None
-        now.change = self._with_margins(change, last)
+        now.change = self._with_margins(change, now, last)
         if now.change is None:
             return t, None, last.before is None
         if now.change == last.change and self._only_counts(task, now, last):
@@ -399,12 +399,15 @@ class Loops:
             *[(None, k) for k in range(len(self.world.shared))],
         ]
 
-    def _with_margins(self, change: list[float], last: LoopState) -> list[float] | None:
+    def _with_margins(self, change: list[float], now: LoopState, last: LoopState) -> list[float] | None:
         """Return the changes of numbers and of margins; None if other comparisons were made."""
         since, first = last.margins.since(self._margins), last.margins.length
         if since is None or len(since) > first:
             return None
         before = self._margins[first - len(since) : first]
+        now.margins = Mark(
+            self._margins, len(self._margins)
+        )  # conditions of waits may be compared before a skip
         return change + [b - a for a, b in zip(before, since, strict=True)]
 
     def _change(self, last: LoopState, now: LoopState) -> list[float] | None:
@@ -444,7 +447,8 @@ class Loops:
         """Return how many further iterations take the same branches, and overflow no number."""
         count, change = len(now.numbers), now.change or []
         most = INFINITY
-        margins = self._margins[len(self._margins) - (len(change) - count) :] if len(change) > count else []
+        records, length = now.margins
+        margins = records[length - (len(change) - count) : length] if len(change) > count else []
         for margin, by in zip(margins, change[count:], strict=True):
             if by and not (is_exact(margin) and is_exact(by)):
                 return 0
@@ -591,9 +595,9 @@ class Loops:
                         values[index] = now.numbers[k] = now.numbers[k] + times * by
                     k += 1
             margins = now.change[count:]
-            first = len(self._margins) - len(margins)
-            for index, by in enumerate(margins):
-                self._margins[first + index] += times * by
+            records, length = now.margins
+            for index, by in enumerate(margins, length - len(margins)):
+                records[index] += times * by
 
     def _stable_until(
         self, task: StepTask, now: LoopState, last: LoopState, began: float, is_alone: bool

@@ -32,7 +32,7 @@ Event IN2
 End Event
 """
 SHOWN = """\
-a.mnt: Mint, 4 channels, 1 axis, 3 units, 2 states, played 10 times
+a.mnt: Mint, 4 channels, 1 axis, 3 units, 2 states, played 13 times
 
 Cycle
 2 s, 21 times (lines 5 to 12), cycle(print piece)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
-from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, Steps
+from motionlang.kernel.lang.steps import BACK, BEGIN, BRANCH, CALL, END, ENTER, Steps
 from motionlang.kernel.lang.structure import (
     READ,
     SET_UP,
@@ -24,6 +24,7 @@ from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
 from motionlang.kernel.mccl.resolve.line import Line
 from motionlang.kernel.mccl.runtime.board import Board
+from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR
 from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
 from motionlang.kernel.source import Source
 
@@ -54,13 +55,17 @@ def structure(
         for command, at in zip(line.commands, line.offsets, strict=True)
     }
     bodies = [(number, body) for number, found in sorted(macros.items()) for body in found]
-    for steps in [*foreground, *(body for _, body in bodies)]:
+    lists = [*foreground, *(body for _, body in bodies)]
+    for steps in lists:
         _link(steps, macros)
+    choices = _choices(lists, macros)
     end = Steps()
     end.name = "end"
     end.add(END)
     in_sequence = [*foreground, end]
-    graph = StepGraph([*in_sequence, *(body for _, body in bodies)], in_sequence, _computed, enters=True)
+    graph = StepGraph(
+        [*in_sequence, *(body for _, body in bodies), *choices], in_sequence, _computed, enters=True
+    )
     units = [Unit("program", "program", 0, 0)]
     for number, body in bodies:
         again = f" of line {body.line.number}" if body is not macros[number][-1] else ""
@@ -82,6 +87,43 @@ def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
         if step.kind in (CALL, ENTER) and found:
             above = [body for body in found if body.line.number < steps.line.number]
             steps.called[pc] = (above or found)[-1], 0
+
+
+def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) -> list[Steps]:
+    """Link the calls by registers, each to a list of steps that enters one of the macros that its register may name.
+
+    Those are the numbers that the register gets, if it gets only constants: AL200,AR40. Else it may be any macro.
+    """
+    calls: dict[int, list[tuple[LineSteps, int]]] = {}
+    given: dict[int, set[int | None]] = {}
+    for steps in lists:
+        constant: int | None = None
+        for pc, (step, use) in enumerate(zip(steps, steps.uses, strict=True)):
+            command = steps.command(pc)
+            if use is None or step.kind == BEGIN or command is None:
+                continue
+            for register in use.sets - {ACCUMULATOR}:
+                given.setdefault(register, set()).add(constant)
+            if ACCUMULATOR in use.sets:
+                constant = command.number if not use.reads else None
+            if step.kind in (CALL, ENTER):
+                constant = None
+                if command.kind == REGISTER:
+                    calls.setdefault(int(command.value), []).append((steps, pc))
+    found: list[Steps] = []
+    for register, places in calls.items():
+        numbers = given.get(register, {None})
+        known = macros if None in numbers else [each for each in macros if each in numbers]
+        choice = Steps()
+        choice.name = f"@{register}"
+        for number in known:
+            choice.add(BRANCH, to=len(choice) + 2)
+            choice.called[choice.add(ENTER)] = macros[number][-1], 0
+        choice.add(END)
+        found.append(choice)
+        for steps, pc in places:
+            steps.called[pc] = choice, 0
+    return found
 
 
 def _computed(steps: Steps, pc: int) -> Iterable[int]:
