@@ -25,7 +25,7 @@ MOVE, OUTPUT = 3.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, takes less
 # time, s, and says less of what is wrong.
-KEPT, SWITCHED, SECOND, WRONG = 0.0001, 0.001, 0.001, 1.0
+KEPT, SWITCHED, SECOND, WRONG = 0.0001, 0.001, 0.001, 20.0
 _WRONG = re.compile(r"bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out", re.IGNORECASE)
 # Work is faster than other work if it takes this share of its time.
 FASTER = 0.95
@@ -122,10 +122,11 @@ def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
     fastest: dict[frozenset[int], Work] = {}
     for work in works:
         other = fastest.setdefault(work.lines, work)
-        if (_wrong(work.said), work.period) < (_wrong(other.said), FASTER * other.period):
+        if (wrong(work.said), work.period) < (wrong(other.said), FASTER * other.period):
             fastest[work.lines] = work
     for work in fastest.values():
         value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
+        value -= WRONG * bool(wrong(work.said))
         yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 
@@ -133,7 +134,7 @@ def _work(transitions: Iterable[Transition]) -> frozenset[int]:
     return frozenset[int]().union(*(each.work for each in transitions))
 
 
-def _wrong(said: Iterable[str]) -> int:
+def wrong(said: Iterable[str]) -> int:
     """Return how often words say that something is wrong."""
     return sum(len(_WRONG.findall(each)) for each in said)
 
@@ -157,4 +158,4 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= BY_ITSELF * each.is_by_itself + CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = (act.words for each in transitions for act in each.acts if not act.subject)
-    return value + STATE - SWITCHED * len(outputs) - WRONG * bool(_wrong(said))
+    return value + STATE - SWITCHED * len(outputs) - WRONG * bool(wrong(said))

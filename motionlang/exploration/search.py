@@ -306,7 +306,11 @@ class Explorer:
         """Return what is tried from a new state: at a known place what leads on there first, and the rest late."""
         if not self.same_place(node):
             return [Departure(visit)]
-        return [Departure(visit, questions.as_before(self, node)), Departure(visit, depth=LATE)]
+        return [
+            Departure(visit, questions.as_before(self, node)),
+            Departure(visit, depth=LATE),
+            Departure(visit, questions.as_before(self, node), LATE + 1),
+        ]
 
     def same_place(self, node: StateNode) -> list[StateNode]:
         """Return the other states in which the tasks rest at the same places."""

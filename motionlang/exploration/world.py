@@ -4,13 +4,16 @@
     on from a time             a change that is made once
     follows a position         it changes in the middle of moves: where the axis passes again, or at steps along its way
     follows an output          each of its changes comes after one of the output; inverted, too
+    when asked                 a person, a host or an unknown sensor answers as soon as the program asks
     on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
 
-Keys and numbers of a host that come again follow an output, or come every two seconds.
+At first all of them answer when they are asked, or at their times if the cycle does not repeat so. Keys and numbers of
+a host that come again follow an output, or come when asked. A level that changes while an axis jogs rises with it.
 
 A rule holds if each task does what it did in the played run, in the same order: moves, outputs, and prints but for
-their figures. A task that moves no axis may come further or less far. No other handler runs but one of a timer.
+their figures; or if it moves so and says less of what is wrong. A task that moves no axis may come further or less far.
+No other handler runs but one of a timer.
 """
 
 from __future__ import annotations
@@ -33,7 +36,7 @@ from motionlang.exploration.changes import (
     made_at,
     tables_of,
 )
-from motionlang.exploration.cycles import MachineCycle
+from motionlang.exploration.cycles import MachineCycle, wrong
 from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.roles import written
@@ -59,8 +62,6 @@ SHORT = 0.1
 MOMENT = 0.02
 # A world is compared for this much longer than the played run.
 LONGER = 1.5
-# A host that writes again and again does so with this period, s.
-EVERY = 2.0
 # An input that comes and goes, s.
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
 # So many marks are on the way of an axis that goes on and on, and positions are the same within this, uu.
@@ -87,6 +88,9 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     best: tuple[int, MachineCycle, Trial] | None = None
     for cycle in likeliest[:PLAYED]:
         trial = played(explorer, cycle, times=times)
+        if 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
+            back = played(explorer, cycle, times=times, goes_back=True)
+            trial = max(trial, back, key=lambda each: _count(cycle, each))
         if best is None and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
             trial = _played_on(explorer, cycle, trial)
         count = _count(cycle, trial)
@@ -145,8 +149,18 @@ def _played_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Trial:
     return trial
 
 
-def played(explorer: Explorer, cycle: MachineCycle, others: Causes = (), times: int = TIMES) -> Trial:
-    """Play a cycle some times: each change at the state that it leads on from, and others from the start."""
+def played(
+    explorer: Explorer,
+    cycle: MachineCycle,
+    others: Causes = (),
+    times: int = TIMES,
+    *,
+    goes_back: bool = False,
+) -> Trial:
+    """Play a cycle some times: each change at the state that it leads on from, and others from the start.
+
+    With `goes_back` a level that has led on is 0 again at the next change.
+    """
     policy: dict[RestState | None, Causes] = {
         each.source: each.causes for each in cycle.transitions if each.causes
     }
@@ -159,6 +173,7 @@ def played(explorer: Explorer, cycle: MachineCycle, others: Causes = (), times: 
         return any(trial.time - max(rest.begin, at) > SHORT for rest in _due(found, policy, at, before))
 
     before: RestState | None = None
+    back: list[Change] = []
     trial = explorer.play(timeline, max(at, 0.0), is_due)
     for _ in range(times * len(policy) + EXTRA):
         found = explorer.rests(trial)
@@ -167,13 +182,37 @@ def played(explorer: Explorer, cycle: MachineCycle, others: Causes = (), times: 
         if not changes:  # elsewhere, or the levels are there already: go round by other transitions
             due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
             changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
+        if due is None or (not changes and due.question is None):
+            due = next((rest for rest in found if rest.end == inf), None)
+            changes = () if due is None else _leading_on(explorer, timeline, due, at)
         if due is None or not changes:
             break
         before, begin = due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
-        timeline = (*timeline, *made_at(at, changes))
-        trial = explorer.play(timeline, at, is_due)
+        new = {each.channel for each in changes}
+        made = made_at(at, (*(each for each in back if each.channel not in new), *changes))
+        timeline = (*timeline, *made)
+        back = [each._replace(value=0.0) for each in changes if each.table == "analogue" and goes_back]
+        since = at
+        # An input that comes and goes passes rests that are no new ones.
+        at = max([at, *(each.levels(time)[-1][0] for time, each in made if each.moment.every)])
+        trial = explorer.play(timeline, since, is_due)
     return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and _count(cycle, trial) >= COMPARED)
+
+
+def _leading_on(explorer: Explorer, timeline: Timeline, rest: Rest, at: float) -> Causes:
+    """Return the change of an input that was read at rest and leads on; none if there is no such input."""
+    time = round(max(rest.begin, at) + DELAY, 4)
+    levels = levels_at(timeline, inf)
+    read = dict.fromkeys(channel for channels in rest.reads.values() for channel in channels)
+    for table, number in read:
+        if table != "input" or (table, number) in explorer.given:
+            continue
+        change = Change(table, number, 1.0 - levels.get(number, 0.0))
+        tried = explorer.rests(explorer.play((*timeline, (time, change)), time))
+        if tried and tried[-1].state != rest.state:
+            return (change,)
+    return ()
 
 
 def _missing(causes: Causes, timeline: Timeline) -> Causes:
@@ -238,8 +277,7 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
     for time, change in trial.timeline:
         if change.table in WRITES:
             writes[change].append(time)
-    pulses = PULSES["every"] * max(map(len, flips.values()), default=0)
-    until = LONGER * end + max(pulses, EVERY * max(map(len, writes.values()), default=0))
+    until = LONGER * end + PULSES["every"] * max(map(len, flips.values()), default=0)
     others = tables_of(tuple(each for each in trial.timeline if each[1].table != "input"))
     chosen = {number: _one_by_one(number, each) for number, each in flips.items()}
 
@@ -251,13 +289,17 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
         moves = (TrialMotion(each.start_time, inf, each.axis, each.line, "", "", False) for each in log.moves)
         if trial.status == "ended" and result.status != "ended":
             return False
-        return begun & explorer.handlers <= handled and _same(
+        return begun & explorer.handlers <= handled and _is_as_good(
             wanted, orders.of(moves, log.outputs, log.prints)
         )
 
     along = _along(explorer, trial)
     switched = _switched(trial)
     blinking = _blinking(switched, trial, explorer.rests(trial))
+    asked = {number: _when_asked(number, each, along.get(number)) for number, each in flips.items()}
+    answers = _answers(explorer, trial) if count > 1 else {}
+    if holds(_settings(asked, {**others, **answers})):
+        chosen, others = asked, {**others, **answers}
     for _ in range(PASSES):  # what is on too early for one input may be in time when another one is on, too
         for number, changes in sorted(flips.items(), key=lambda each: (len(each[1]), each[0])):
             for entry in _rules(number, changes, along.get(number), switched, blinking):
@@ -265,12 +307,10 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
                     chosen[number] = [entry]
                     break
     left = [number for number, each in chosen.items() if len(each) > 1]
-    if (
-        len(left) > 1
-    ):  # the times of one fit those of the others, so all of them must come and go by themselves
-        together: dict[int, list[Entry]] = {number: [{"channel": number, **PULSES}] for number in left}
-        if holds(_settings(chosen | together, others)):
-            chosen |= together
+    # The times of one fit those of the others, so all of them must come and go by themselves.
+    together: dict[int, list[Entry]] = {number: [{"channel": number, **PULSES}] for number in left}
+    if left and holds(_settings(chosen | together, others)):
+        chosen |= together
     for change, times in writes.items():
         for entry in _repetitions(change, times, switched, blinking) if len(times) > 1 else ():
             rest = [each for each in entries(others, change.table) if not is_about(change, each)]
@@ -382,6 +422,24 @@ class _Orders:
         return found
 
 
+def _is_as_good(
+    wanted: Mapping[str, list[tuple[object, ...]]], found: Mapping[str, list[tuple[object, ...]]]
+) -> bool:
+    """True if each task does what is wanted in its order, or moves so and says less of what is wrong."""
+    if _same(wanted, found):
+        return True
+    said = [
+        [each[1] for task in acts.values() for each in task if each[0] == "print"] for acts in (found, wanted)
+    ]
+    moves, others = (
+        {task: [each for each in all if each[0] == "move"] for task, all in acts.items()}
+        for acts in (wanted, found)
+    )
+    return (
+        wrong(map(str, said[0])) < wrong(map(str, said[1])) and any(moves.values()) and _same(moves, others)
+    )
+
+
 def _same(
     wanted: Mapping[str, list[tuple[object, ...]]], found: Mapping[str, list[tuple[object, ...]]]
 ) -> bool:
@@ -420,40 +478,107 @@ def _blinking(switched: Switches, trial: Trial, found: list[Rest]) -> set[int]:
 
 
 def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
-    """Return the entries by the position of an axis for inputs that change in the middle of moves.
+    """Return the entries by the position of an axis for inputs that come in the middle of moves, or while one jogs.
 
     A change that was found in a move may come at another time of the played run, when the axis is at rest.
     """
-    changes: dict[tuple[int, int], list[tuple[float, Moment]]] = defaultdict(list)
+    changes: dict[int, list[tuple[float, Moment]]] = defaultdict(list)
     for time, each in trial.timeline:
-        if each.moment.line and each.value:
-            changes[each.number, each.moment.axis].append((time, each.moment))
-    if not changes:
-        return {}
+        if each.table == "input" and each.value:
+            changes[each.number].append((time, each.moment))
     axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
     found: dict[int, Entry] = {}
-    for (number, axis), moments in changes.items():
-
-        def position(time: float, a: Axis = axes[axis]) -> float:
-            return a.scale.to_user(a.position(time))
-
-        begins = [position(time) for time, _ in moments]
-        time, (_, _, _, times, every) = moments[0]
-        passing = (each for each in trial.motions if each.axis == axis and each.begin <= time < each.end)
-        move = next(passing, None)
-        if move is None:
+    for number, moments in changes.items():
+        passing = [(move, *each) for each in moments if (move := _passing(trial, axes, *each)) is not None]
+        if not passing:
             continue
-        end = position(time + every / 2 if every else (time + move.end) / 2)
-        between = [round(each, 2) for each in sorted((begins[0], end))]
-        entry: Entry = {"channel": number, "axis": axis, "between": between}
-        if max(begins) - min(begins) > SAME:
+        move, time, (_, _, _, times, every) = passing[0]
+        a = axes[move.axis]
+        begins = [_place(a, each.begin) for each, _, _ in passing if each.line == move.line]
+        end = _place(a, time + every / 2 if every else (time + min(move.end, time + 1.0)) / 2)
+        between = [round(each, 2) for each in sorted((_place(a, time), end))]
+        entry: Entry = {"channel": number, "axis": move.axis, "between": between}
+        if move.end == inf:  # a jog: as far as it goes
+            entry |= {"every": round(abs(_place(a, time + every) - _place(a, time)), 2), "times": MARKS}
+        elif max(begins) - min(begins) > SAME:
             entry |= {"every": round((begins[1] - begins[0]) / times, 2), "times": MARKS}
         elif times > 1:
-            entry |= {"every": round((position(move.end) - position(move.begin)) / times, 2), "times": times}
+            entry |= {"every": round((_place(a, move.end) - begins[0]) / times, 2), "times": times}
         every_uu: float = entry.get("every", between[1] - between[0] + SAME)  # type: ignore[assignment]
         if every_uu > between[1] - between[0]:  # a mark ends before the next one
             found[number] = entry
     return found
+
+
+def _passing(trial: Trial, axes: Mapping[int, Axis], time: float, moment: Moment) -> TrialMotion | None:
+    """Return the move in whose middle an input comes: that of a line, or a jog in which it comes again and again."""
+    for each in reversed(trial.moves):
+        is_under_way = each.begin <= time < each.end
+        if is_under_way and moment.line == each.line and each.end < inf:
+            return each
+        if (
+            is_under_way
+            and moment.every
+            and not moment.line
+            and each.end == inf
+            and axes[each.axis].velocity(time)
+        ):
+            return each
+    return None
+
+
+def _when_asked(number: int, changes: list[tuple[float, float]], along: Entry | None) -> list[Entry]:
+    """Return the rule of an input that changes when it is asked for, or where an axis passes."""
+    if along is not None:
+        return [along]
+    if len(changes) == 1 and changes[0] == (0.0, 1.0):
+        return [{"channel": number, "at": 0.0}]
+    return [{"channel": number, "asked": DELAY}]
+
+
+def _answers(explorer: Explorer, trial: Trial) -> dict[str, list[Entry]]:
+    """Return the entries by which levels, numbers and keys that a trial changes come when they are asked for.
+
+    A level that changes while an axis jogs rises with its position.
+    """
+    firsts: dict[tuple[object, ...], tuple[float, Change]] = {}
+    for time, each in trial.timeline:
+        if each.table not in ("input", "answer") and (each.value or each.table != "analogue"):
+            of = (*each.channel, each.value) if each.table == "key" else each.channel
+            firsts.setdefault(of, (time, each))
+    found: dict[str, list[Entry]] = defaultdict(list)
+    for time, each in firsts.values():
+        entry = {**entries(tables_of(((0.0, each),)), each.table)[0], "asked": DELAY}
+        del entry["at"]
+        rising = _rising(explorer, trial, time, each) if each.table == "analogue" else None
+        found[each.table].append(rising or entry)
+    return dict(found)
+
+
+def _place(a: Axis, time: float) -> float:
+    """Return where an axis was at a time, in user units from the zero of the machine, which a homing leaves."""
+    return a.scale.to_user(a.position(time) - a.datum)
+
+
+def _rising(explorer: Explorer, trial: Trial, time: float, change: Change) -> Entry | None:
+    """Return the entry of a level that rises with the position of an axis that jogs at a time; None if none does."""
+    assert isinstance(change.value, float)
+    axes = explorer.trials.run_in(tables_of(trial.timeline), time)[0].controller.axes
+    for move in reversed(trial.moves):
+        if move.begin < time and move.end == inf and axes[move.axis].velocity(time):
+            a = axes[move.axis]
+            begin, end = _place(a, move.begin), _place(a, time)
+            if begin != end:
+                edge = "above" if end > begin else "below"
+                rise = round(change.value / (end - begin), 3)
+                return {
+                    "channel": change.number,
+                    "axis": move.axis,
+                    edge: round(begin, 2),
+                    "value": 0.0,
+                    "per_unit": rise,
+                }
+    return None
 
 
 def _rules(
@@ -477,7 +602,7 @@ def _rules(
                 entry: Entry = {"channel": number, "output": output, "delay": DELAY}
                 yield {**entry, "value": 0} if inverted else entry
     if len(changes) > 1:
-        yield {"channel": number, **PULSES}
+        yield {"channel": number, "asked": DELAY}
 
 
 def _repetitions(
@@ -497,7 +622,7 @@ def _repetitions(
             ):
                 answer: Entry = {"output": output, "delay": DELAY, **({} if level else {"level": 0})}
                 yield {key: value for key, value in first.items() if key != "at"} | answer
-    yield {**first, "every": EVERY}
+    yield {key: value for key, value in first.items() if key != "at"} | {"asked": DELAY}
 
 
 def _is_after(time: float, before: float, switched: list[tuple[float, int]], level: int) -> bool:

@@ -35,24 +35,27 @@ SHOWN = """\
 a.mnt: Mint, 4 channels, 1 axis, 3 units, 2 states, played 13 times
 
 Cycle
-2 s, 21 times (lines 5 to 12), cycle(print piece)
+1.8001 s, 23 times (lines 5 to 12), cycle(print piece)
 
-   at  line  what                        takes
-    s                                        s
-──────────────────────────────────────────────
+   at  line  what                         takes
+    s                                         s
+───────────────────────────────────────────────
 0.000     5  output 3 (clamp) on
-0.000     6  axis 0 from 0 to 50 at 100  0.600
-0.600     8  axis 0 from 50 to 0 at 100  0.600
+0.000     6  axis 0 from 0 to 50 at 100     0.6
+0.600     8  axis 0 from 50 to 0 at 100     0.6
 1.200    10  output 3 (clamp) off
-1.200    12  prints 'piece 20.0000'
-1.200     4  waits for an input          0.800
+1.200    12  prints 'piece 23.0000'
+1.200    14  waits for an input             0.3
+1.500        input 1 (part in place) off
+1.500     4  waits for an input             0.3
+1.800        input 1 (part in place) on
 
-axis 0                   ██████████████████████████████████████████████·····························
-input 1 (part in place)  █████████████████████████████████████·····································█
-output 3 (clamp)         █████████████████████████████████████████████······························
+axis 0                   ██████████████████████████████████████████████████·························
+input 1 (part in place)  ██████████████████████████████████████████████████████████████············█
+output 3 (clamp)         ██████████████████████████████████████████████████·························
 
 in this world, which motionlang init writes:
-  [[input]] channel = 1, at = 1.0, for = 1.0, every = 2.0
+  [[input]] channel = 1, asked = 0.3
 
 States
 power-up
