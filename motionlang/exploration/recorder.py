@@ -100,7 +100,7 @@ class TrialRecorder(Hook):
     def attach(self, machine: Machine) -> None:
         """Watch a run that is about to begin on a machine."""
         self._machine = machine
-        machine.observe_reads(self._reads)
+        machine.controller.reads.add(self._reads)
         self.expect_changes()
 
     def expect_changes(self) -> None:
@@ -128,6 +128,7 @@ class TrialRecorder(Hook):
         assert self._machine is not None
         if self._machine.controller.inputs.is_supposed:
             return  # a hint asks what would end a wait
+        number = 0 if table == "key" else number  # of any terminal
         at, now = self._place(), self._machine.clock.now
         if at < 0 or (table, number) in self._switches or (table, number) in self._written.get(at, ()):
             return

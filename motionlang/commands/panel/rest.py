@@ -64,7 +64,7 @@ class RestWatch(Hook):
     def attach(self, machine: Machine) -> None:
         """Watch a run that is about to begin on a machine."""
         self._machine = machine
-        machine.controller.inputs.observer = self._reads
+        machine.controller.reads.add(self._reads)
 
     def begins(self, task: Task, time: float, offset: int) -> bool:
         period = time - self._begun.get(offset, -inf)
@@ -78,9 +78,9 @@ class RestWatch(Hook):
         self._begun[offset], self._begun_by[offset], self._last[task.name] = time, task, offset
         return super().begins(task, time, offset)
 
-    def _reads(self, channel: int) -> None:
+    def _reads(self, table: str, channel: int) -> None:
         machine = self._machine
-        if channel < SHADOW and machine is not None and machine.scheduler is not None:
+        if table == "input" and channel < SHADOW and machine is not None and machine.scheduler is not None:
             self._read[channel] = machine.clock.now, machine.scheduler.current.at
 
     @property

@@ -8,6 +8,7 @@ from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, TimedCall
 from motionlang.kernel.controller.io.asking import Asking, AskingTasks
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
+from motionlang.kernel.controller.io.reads import ReadObservers
 from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.motion_listener import MotionListener
@@ -24,10 +25,14 @@ class ControllerState:
     def __init__(self, axes: int, first: int, clock: Clock, log: Log) -> None:
         self.clock, self.log = clock, log
         self.axes: dict[int, Axis] = {number: Axis(number, self) for number in range(first, first + axes)}
-        self.inputs = Channels(clock, log.inputs)
+        self.inputs = Channels(clock, log.inputs, table="input")
         self.outputs = Channels(clock, log.outputs, log.origin)
         self.analogue_inputs = AnalogueInputs(clock, log)
         self.analogue_outputs = Channels(clock, log.analogue_outputs, log.origin)
+        # The observers of what the program reads of the world.
+        self.reads = ReadObservers()
+        self.reads.join(self.inputs)
+        self.reads.join(self.analogue_inputs)
         # The entries of the machine file that take effect by time or after an output.
         self.stimuli = Stimuli(clock, self.outputs)
         # What the world answers when the program asks, if it does, and the tasks of the program.

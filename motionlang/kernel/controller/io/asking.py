@@ -8,7 +8,8 @@ always with the same result, and no axis that this task has started moves. `aske
 reads the entry acts, if the task still asks.
 
 Data. A `Responder` belongs to one value, such as an input. It has the entries of that value, in the order of the file,
-and a query for each task and statement that reads it. The first entry that is not used up and fits acts.
+a query for each task that waits for it, and one for each task and statement that polls it. The first entry that is not
+used up and fits acts.
 
 Which level. A digital input changes to its other level if that ends the wait, or changes the result of the condition
 that polls it. Of several inputs in the condition, the smallest sets of changes that do so count (`_inputs_that_end`).
@@ -16,19 +17,22 @@ If there are none, or it cannot be known, it changes to its other level. If anot
 the present level, the change is made once that one no longer asks.
 
 Invariants.
-- Nothing polls: a query schedules one event of the clock, when its asking is known, and reads find out the rest.
+- Nothing polls: a query schedules one event of the clock, when its asking is known, and reads find out the rest. A
+  further read of a wait costs no more than two lookups.
 - An event is scheduled before a loop can be skipped. Iterations that are skipped count as reads (`skipped`).
-- A value without such an entry costs nothing but the test whether there is any.
+- `Asking` is one of the observers of what the program reads (`reads.py`), and is made with the first such entry. A
+  read of a value without one costs a lookup, and nothing on a machine without such entries.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
 from itertools import combinations
 from typing import TYPE_CHECKING, Any, Protocol
 
-from motionlang.kernel.controller.clock import INFINITY, Clock, TimedCall
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.io.stimuli import Entry, Stimulus
 from motionlang.kernel.planners import Profile
 
@@ -87,308 +91,321 @@ class AskedRule:
     length: float
     until: float = -INFINITY
 
+    def may_act(self, now: float) -> bool:
+        """True if it is not used up, and its last change is over."""
+        return self.stimulus.count < self.times and now >= self.until
 
-@dataclass(slots=True, eq=False)
+
 class Query:
-    """A task that waits for a value, or reads it at a statement, since a time, with one result."""
+    """A task that waits for a value, or reads it at a statement, since a time, with one result.
 
-    task: Any
-    stack: tuple[int, ...]
-    # What it waits for; None if it polls. `condition` is what it tests then.
-    wait: Any
-    value: object
-    since: float
-    last: float
-    condition: Callable[[], object] | None = None
-    count: int = 1
-    # The longest time between two reads.
-    period: float = 0.0
-    rule: AskedRule | None = None
+    `wait` is what it waits for, None if it polls, and `condition` what it tests then. `stack` is the statement after
+    those of its callers, of a task that polls.
+    """
+
+    # Of a task that polls: how many reads there were, and the longest time between two.
+    count, period = 1, 0.0
     event: TimedCall | None = None
     # Why it is not answered now: it was not needed with these levels, or another one has asked for longer.
     levels: object = None
     blocker: Query | None = None
 
-
-class Responder:
-    """The source of a value that is asked for.
-
-    `current` returns the value, `other` the one to which a rule would change it, None if it would not.
-    """
-
     def __init__(
         self,
-        asking: Asking,
-        name: Callable[[object], str],
-        current: Callable[[], object],
-        other: Callable[[AskedRule], object],
-        put: Callable[[AskedRule, object], object],
-        channel: int = -1,
+        task: Any,
+        wait: Any,
+        value: object,
+        now: float,
+        condition: Callable[[], object] | None,
+        stack: tuple[int, ...] = (),
     ) -> None:
-        self._asking, self._name, self._current, self._other, self._put = asking, name, current, other, put
-        # The number of a digital input, -1 for any other value.
-        self.channel = channel
-        self.rules: list[AskedRule] = []
-        self.queries: dict[tuple[Any, tuple[int, ...]], Query] = {}
+        self.task, self.wait, self.value, self.condition, self.stack = task, wait, value, condition, stack
+        self.since = self.last = now
 
-    def read(self) -> None:
-        """Record that the running task, or the wait of a task, reads the value."""
-        asking = self._asking
-        tasks = asking.controller.tasks
-        if tasks is None or tasks.current.done:
-            return
-        task, now = tasks.current, asking.clock.now
-        key = task, task.stack
-        query = self.queries.get(key)
-        if asking.is_moving(task):
-            self._drop(query)
-            return
-        wait, value = tasks.wait_of(task), self._current()
-        if query is not None and query.wait is wait and query.value == value:
-            gap = now - query.last
-            if wait is not None or (gap <= MAX_GAP and query.last >= asking.last_start(task)):
-                if gap > 0.0:
-                    query.count += 1
-                    query.last, query.period = now, max(query.period, gap)
-                self.schedule(query)
-                return
-        self._drop(query)
-        condition = wait.ready if wait is not None else task.condition()
-        query = self.queries[key] = Query(*key, wait, value, now, now, condition)
-        self.schedule(query)
 
-    def _drop(self, query: Query | None) -> None:
-        if query is None:
-            return
+@dataclass(slots=True, eq=False)
+class Responder:
+    """A value that changes when it is asked for.
+
+    `current` returns the value, `other` the one to which a rule would change it, None if it would not, and `put`
+    changes it. `name` returns the value in words.
+    """
+
+    name: Callable[[object], str]
+    current: Callable[[], object]
+    other: Callable[[AskedRule], object]
+    put: Callable[[AskedRule, object], object]
+    # The number of a digital input, -1 for any other value.
+    channel: int = -1
+    rules: list[AskedRule] = field(default_factory=list)
+    waits: dict[Any, Query] = field(default_factory=dict)
+    polls: dict[tuple[Any, tuple[int, ...]], Query] = field(default_factory=dict)
+    # True while a hand has the value, in place of the rules.
+    is_held: bool = False
+
+    def queries(self) -> tuple[Query, ...]:
+        """Return all queries, those of waits first."""
+        return (*self.waits.values(), *self.polls.values())
+
+    def answer(self, now: float) -> tuple[AskedRule, object] | None:
+        """Return the rule that may act on the present value, and the value to which it changes."""
+        for rule in () if self.is_held else self.rules:
+            if rule.may_act(now):
+                value = self.other(rule)
+                if value is not None and (rule.level is None or value == rule.level):
+                    return rule, value
+        return None
+
+    def is_listed(self, query: Query) -> bool:
+        """True if a query is that of its task, or of its task and statement."""
+        if query.wait is not None:
+            return self.waits.get(query.task) is query
+        return self.polls.get((query.task, query.stack)) is query
+
+    def drop(self, query: Query) -> None:
+        """Forget a query, if it is listed."""
         if query.event is not None:
             query.event.cancel()
-        del self.queries[query.task, query.stack]
-
-    def schedule(self, query: Query) -> None:
-        """Schedule the answer to a query, once it is known to be one."""
-        if query.event is not None or (query.wait is None and query.count < MIN_SCHEDULED):
-            return
-        asking = self._asking
-        if query.blocker is not None and self._asks(query.blocker):
-            return
-        if query.levels is not None and query.levels == asking.levels():
-            return
-        rule = next((each for each in self.rules if self._fits(each)), None)
-        if rule is None:
-            return
-        query.rule, query.blocker, query.levels = rule, None, None
-        time = max(max(query.since, rule.begin) + rule.delay, asking.clock.now)
-        query.event = asking.clock.at(time, lambda: self._answer(query))
-
-    def _fits(self, rule: AskedRule) -> bool:
-        """True if a rule may act on the present value."""
-        if rule.stimulus.count >= rule.times or self._asking.clock.now < rule.until:
-            return False
-        value = self._other(rule)
-        return value is not None and (rule.level is None or value == rule.level)
-
-    def _asks(self, query: Query) -> bool:
-        """True if the task of a query still asks."""
-        asking = self._asking
-        if self.queries.get((query.task, query.stack)) is not query or query.task.done:
-            return False
-        if query.value != self._current() or asking.is_moving(query.task):
-            return False
-        tasks = asking.controller.tasks
-        assert tasks is not None
-        if query.wait is not None:
-            return tasks.wait_of(query.task) is query.wait
-        return asking.clock.now - query.last <= 2.0 * query.period
-
-    def _answer(self, query: Query) -> bool:
-        """Act on a query if it still asks; True if nothing has changed."""
-        query.event = None
-        rule, asking = query.rule, self._asking
-        if not self._asks(query):
-            self._drop(query if self.queries.get((query.task, query.stack)) is query else None)
-            return True
-        if query.wait is None and query.count < MIN_READS:
-            return True
-        assert rule is not None
-        if not self._fits(rule):
-            return True
-        if not self._needs_other(query):
-            query.levels = asking.levels()
-            return True
-        older = (each for each in tuple(self.queries.values()) if each.since < query.since)
-        query.blocker = next(
-            (each for each in older if self._asks(each) and not self._needs_other(each)), None
-        )
-        if query.blocker is not None:
-            return True
-        value = self._other(rule)
-        asking.answered(query, self._name(value))
-        if rule.length < INFINITY:
-            rule.until = asking.clock.now + rule.length
-        rule.stimulus.count += 1
-        self._put(rule, value)
-        return False
-
-    def _needs_other(self, query: Query) -> bool:
-        """True unless a query is known to need the present level of an input."""
-        if self.channel < 0 or query.condition is None:
-            return True
-        sets = self._asking.inputs_that_end(query)
-        return not sets or any(self.channel in each for each in sets)
+            query.event = None
+        if self.is_listed(query):
+            if query.wait is not None:
+                del self.waits[query.task]
+            else:
+                del self.polls[query.task, query.stack]
 
 
 class Asking:
     """The answers of a machine when it is asked, and the tasks that have started its axes."""
 
     def __init__(self, controller: ControllerState) -> None:
-        self.controller = controller
-        self.clock: Clock = controller.clock
-        self.responders: dict[object, Responder] = {}
-        self._readers: dict[str, dict[int, Responder]] = {}
-        self._starters: dict[int, Any] = {}
+        self._controller, self._clock = controller, controller.clock
+        self._responders: dict[tuple[str, int], Responder] = {}
+        self._starters: dict[Axis, Any] = {}
         self._starts: dict[Any, float] = {}
-        # The inputs that a condition under test has read; None if none is tested.
-        self._tested: set[int] | None = None
+        controller.reads.add(self._reads)
 
     def add_channel(self, table: str, channels: Channels, entry: Entry, since: float, on: float) -> None:
         """Add an entry by which a channel changes to `on`, or from there to 0, when asked."""
-        channel: int = entry[DRIVEN[table][1]]  # type: ignore[assignment]
-        key = table, channel
+        kind, key = DRIVEN[table]
+        channel: int = entry[key]  # type: ignore[assignment]
+        is_input = table == "input"
 
         def put(rule: AskedRule, value: object) -> None:
             channels[channel] = value  # type: ignore[assignment]
             if rule.length < INFINITY:
                 back = 0.0 if value else on
-                self.clock.at(rule.until, lambda: channels.__setitem__(channel, back))
+                self._clock.at(rule.until, lambda: channels.__setitem__(channel, back))
 
         def other(rule: AskedRule) -> float:
-            entry = rule.stimulus.entry
-            value: float = 1 if table == "input" else entry.get("value", 1)  # type: ignore[assignment]
+            value: float = 1 if is_input else rule.stimulus.entry.get("value", 1)  # type: ignore[assignment]
             return 0 if channels.present(channel) == value else value
 
         def name(value: object) -> str:
-            level = ("on" if value else "off") if table == "input" else f"= {value:.10g}"
-            return f"{DRIVEN[table][0]} {channel} {level}"
+            level = ("on" if value else "off") if is_input else f"= {value:.10g}"
+            return f"{kind} {channel} {level}"
 
-        is_input = table == "input"
-        responder = self.add(
-            table,
-            entry,
-            since,
-            key,
-            lambda: Responder(
-                self, name, lambda: channels.present(channel), other, put, channel if is_input else -1
-            ),
+        responder = Responder(
+            name, lambda: channels.present(channel), other, put, channel if is_input else -1
         )
-        readers = self._readers.setdefault(table, {})
-        readers[channel] = responder
-        if is_input:
-            channels.reader = self._reads_input
-        else:
-            channels.reader = lambda number: readers[number].read() if number in readers else None
+        self.add(table, channel, entry, since, responder)
 
-    def add(
-        self, table: str, entry: Entry, since: float, key: object, make: Callable[[], Responder]
-    ) -> Responder:
-        """Add an entry to what answers for a value, made on its first entry; return it."""
-        responder = self.responders.get(key)
-        if responder is None:
-            responder = self.responders[key] = make()
-        stimulus = Stimulus(self.clock, table, entry, lambda: None, since)
-        self.controller.stimuli.all.append(stimulus)
+    def add(self, table: str, number: int, entry: Entry, since: float, responder: Responder) -> None:
+        """Add an entry to the responder of its value, which is `responder` if it is the first one."""
+        stimulus = Stimulus(self._clock, table, entry, lambda: None, since)
+        self._controller.stimuli.all.append(stimulus)
         delay, length = float(entry["asked"]), float(entry.get("for", INFINITY))  # type: ignore[arg-type]
         begin, times = since + float(entry.get("at", 0.0)), float(entry.get("times", INFINITY))  # type: ignore[arg-type]
-        responder.rules.append(AskedRule(stimulus, delay, begin, times, entry.get("level"), length))
-        return responder
+        rule = AskedRule(stimulus, delay, begin, times, entry.get("level"), length)
+        self._responders.setdefault((table, number), responder).rules.append(rule)
 
-    def _reads_input(self, channel: int) -> None:
-        responders = self._readers["input"]
-        if self._tested is not None:
-            self._tested.add(channel)
-        elif channel in responders and not self.controller.inputs.is_supposed:
-            responders[channel].read()
+    def asked_since(self, table: str, number: int) -> float | None:
+        """Return since when the program has asked for a value of an entry to change, None if it does not ask."""
+        responder = self._responders.get((table, number))
+        if responder is None:
+            return None
+        return min(
+            (
+                each.since
+                for each in responder.queries()
+                if self._asks(responder, each)
+                and (each.wait is not None or each.count >= MIN_READS)
+                and self._needs_other(responder, each)
+            ),
+            default=None,
+        )
+
+    def hold(self, table: str, number: int) -> None:
+        """Let the entries of a value not act from now on, since a hand has it."""
+        responder = self._responders.get((table, number))
+        if responder is not None:
+            responder.is_held = True
+            for each in responder.queries():
+                responder.drop(each)
+
+    def let_go(self, table: str, number: int) -> None:
+        """Let the entries of a value act again."""
+        responder = self._responders.get((table, number))
+        if responder is not None:
+            responder.is_held = False
 
     # ------------------------------------------------------------------------------------------------ axes
 
     def starts(self, a: Axis, profile: Profile) -> None:
         """Record which task starts an axis, which is about to get a profile; it stays that of the moves behind it."""
-        if not profile.distance and not profile.end_velocity:
+        tasks = self._controller.tasks
+        if tasks is None or not (profile.distance or profile.end_velocity):
             return
-        tasks, now = self.controller.tasks, self.clock.now
-        before, began = a.profiles[-1], a.starts[-1]
-        is_going_on = now <= began + before.duration or before.end_velocity
-        if tasks is not None and not (is_going_on and a.index in self._starters):
-            self._starters[a.index] = tasks.current
-        if a.index in self._starters:
-            self._starts[self._starters[a.index]] = now
+        starter, before, now = self._starters.get(a), a.profiles[-1], self._clock.now
+        if starter is None or not (now <= a.starts[-1] + before.duration or before.end_velocity):
+            starter = self._starters[a] = tasks.current
+        self._starts[starter] = now
 
-    def last_start(self, task: object) -> float:
-        """Return when a task has last started an axis."""
-        return self._starts.get(task, -INFINITY)
-
-    def is_moving(self, task: object) -> bool:
+    def _is_moving(self, task: object) -> bool:
         """True if an axis moves that a task has started."""
-        axes = self.controller.axes
-        return any(
-            by is task and not axes[n].is_at_standstill for n, by in self._starters.items() if n in axes
-        )
+        return any(by is task and not a.is_at_standstill for a, by in self._starters.items())
 
-    # ---------------------------------------------------------------------------------------------- answers
+    # ----------------------------------------------------------------------------------------------- queries
+
+    def _reads(self, table: str, number: int) -> None:
+        """Record that the running task, or the wait of a task, reads a value."""
+        responder, tasks = self._responders.get((table, number)), self._controller.tasks
+        if responder is None or tasks is None or tasks.current.done:
+            return
+        task = tasks.current
+        wait, value = tasks.wait_of(task), responder.current()
+        stack = () if wait is not None else task.stack
+        query = responder.polls.get((task, stack)) if wait is None else responder.waits.get(task)
+        if query is not None:
+            if query.wait is wait and query.value == value and (wait is not None or self._repeats(query)):
+                if query.event is None:
+                    self._schedule(responder, query)
+                return
+            responder.drop(query)
+        if self._is_moving(task):
+            return
+        now = self._clock.now
+        if wait is not None:
+            query = responder.waits[task] = Query(task, wait, value, now, wait.ready)
+            self._schedule(responder, query)
+        else:
+            condition = task.condition()
+            responder.polls[task, stack] = Query(task, None, value, now, condition, stack)
+
+    def _repeats(self, query: Query) -> bool:
+        """Count a further read of a task that polls; False if it has begun anew."""
+        now = self._clock.now
+        gap = now - query.last
+        if gap > MAX_GAP or query.last < self._starts.get(query.task, -INFINITY):
+            return False
+        if gap > 0.0:
+            query.count += 1
+            query.last, query.period = now, max(query.period, gap)
+        return True
 
     def repeats(self, began: float, here: float) -> None:
         """Schedule the answers to reads of a loop that repeats the iterations from `began` to `here`."""
-        for responder in self.responders.values():
-            for query in responder.queries.values():
-                if query.wait is None and query.last >= began:
+        for responder in self._responders.values():
+            for query in responder.polls.values():
+                if query.last >= began:
                     query.count = max(query.count, MIN_SCHEDULED)
                     query.period = max(query.period, here - began)
-                    responder.schedule(query)
+                    self._schedule(responder, query)
 
     def skipped(self, began: float, here: float, until: float, times: int) -> None:
         """Count the reads of iterations that repeat those from `began` to `here`, up to `until`."""
-        for responder in self.responders.values():
-            for query in responder.queries.values():
-                if query.wait is None and query.last >= began:
+        for responder in self._responders.values():
+            for query in responder.polls.values():
+                if query.last >= began:
                     query.last += until - here
                     query.count += times
 
-    def levels(self) -> object:
-        """Return the levels of all digital inputs."""
-        return self.controller.inputs.values
+    # ---------------------------------------------------------------------------------------------- answers
 
-    def answered(self, query: Query, text: str) -> None:
-        """Log an answer, with the statement that has asked."""
-        log = self.controller.log
-        where = log.where
-        log.where = lambda: query.stack[-1]
-        try:
-            log.note(self.clock.now, "asked", text=text)
-        finally:
-            log.where = where
+    def _schedule(self, responder: Responder, query: Query) -> None:
+        """Schedule the answer to a query, once it is known to be one."""
+        if query.event is not None or (query.wait is None and query.count < MIN_SCHEDULED):
+            return
+        if query.blocker is not None and self._asks(responder, query.blocker):
+            return
+        if query.levels is not None and query.levels == self._controller.inputs.values:
+            return
+        now = self._clock.now
+        answer = responder.answer(now)
+        if answer is None:
+            return
+        rule, value = answer
+        query.blocker = query.levels = None
+        time = max(max(query.since, rule.begin) + rule.delay, now)
+        query.event = self._clock.at(time, partial(self._answer, responder, query, rule, value))
 
-    def inputs_that_end(self, query: Query) -> list[tuple[int, ...]]:
+    def _asks(self, responder: Responder, query: Query) -> bool:
+        """True if the task of a query still asks."""
+        task, tasks = query.task, self._controller.tasks
+        if not responder.is_listed(query) or task.done or query.value != responder.current():
+            return False
+        if self._is_moving(task):
+            return False
+        if query.wait is None:
+            return self._clock.now - query.last <= 2.0 * query.period
+        assert tasks is not None
+        return tasks.wait_of(task) is query.wait and self._starts.get(task, -INFINITY) <= query.since
+
+    def _answer(self, responder: Responder, query: Query, rule: AskedRule, value: object) -> bool:
+        """Act on a query if it still asks; True if nothing has changed."""
+        query.event = None
+        if not self._asks(responder, query):
+            responder.drop(query)
+            return query.wait is None  # a wait may have become another query
+        now = self._clock.now
+        if (query.wait is None and query.count < MIN_READS) or not rule.may_act(now):
+            return True
+        if not self._needs_other(responder, query):
+            query.levels = self._controller.inputs.values
+            return True
+        for each in responder.queries():
+            if (
+                each.since < query.since
+                and self._asks(responder, each)
+                and not self._needs_other(responder, each)
+            ):
+                query.blocker = each
+                return True
+        self._controller.log.events.add(
+            (now, "asked", None, None, None, query.task.stack[-1], 0, responder.name(value))
+        )
+        if rule.length < INFINITY:
+            rule.until = now + rule.length
+        rule.stimulus.count += 1
+        responder.put(rule, value)
+        return False
+
+    def _needs_other(self, responder: Responder, query: Query) -> bool:
+        """True unless a query is known to need the present level of an input."""
+        if responder.channel < 0 or query.condition is None:
+            return True
+        sets = self._inputs_that_end(query, query.condition)
+        return not sets or any(responder.channel in each for each in sets)
+
+    def _inputs_that_end(self, query: Query, condition: Callable[[], object]) -> list[tuple[int, ...]]:
         """Return the smallest sets of inputs whose changes change the result of a condition; [] if not known."""
-        assert query.condition is not None
-        inputs, tasks = self.controller.inputs, self.controller.tasks
+        inputs, tasks, reads = self._controller.inputs, self._controller.tasks, self._controller.reads
         assert tasks is not None
         current, tasks.current = tasks.current, query.task
-        self._tested = read = set[int]()
-        is_changed = False
-        try:
-            result = bool(query.condition())
-            if len(read) == 1 or len(read) > MAX_INPUTS:
-                return []
-            is_changed = True
-            for count in range(1, MAX_CHANGES + 1):
-                found = []
-                for changed in combinations(sorted(read), count):
-                    with inputs.supposing(changed):
-                        if bool(query.condition()) is not result:
-                            found.append(changed)
-                if found:
-                    return found
-            return []
-        finally:
-            if is_changed:
-                query.condition()  # a wait stores what its last test has read
-            self._tested, tasks.current = None, current
+        read = set[int]()
+        with reads.replaced(lambda table, number: read.add(number) if table == "input" else None):
+            try:
+                result = bool(condition())
+                if len(read) == 1 or len(read) > MAX_INPUTS:
+                    return []
+                for count in range(1, MAX_CHANGES + 1):
+                    found = []
+                    for changed in combinations(sorted(read), count):
+                        with inputs.supposing(changed):
+                            if bool(condition()) is not result:
+                                found.append(changed)
+                    if found:
+                        break
+                condition()  # a wait stores what its last test has read
+                return found
+            finally:
+                tasks.current = current

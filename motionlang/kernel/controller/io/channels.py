@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 
 from motionlang.kernel.controller.clock import Clock
+from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.controller.io.samples import AnalogueChanges
 from motionlang.kernel.controller.io.sensor import Sensor
 from motionlang.kernel.log.log import Log
@@ -19,8 +20,8 @@ class Channels:
     The log has `Changed` of inputs, and `Switched` of outputs, if `origin` returns where the program is.
 
     `listeners` are called with (channel, value) after a value has changed. `active_low` are the digital
-    channels that are on while their level is low. The value of an input is its level; the value of an output is
-    true if it is on.
+    channels that are on while their level is low. `table` is that of the machine file that changes them. The value
+    of an input is its level; the value of an output is true if it is on.
     """
 
     __slots__ = (
@@ -32,7 +33,7 @@ class Channels:
         "is_supposed",
         "listeners",
         "observer",
-        "reader",
+        "table",
     )
 
     def __init__(
@@ -40,23 +41,19 @@ class Channels:
         clock: Clock,
         changes: Stream[Changed] | Stream[Switched] | None = None,
         origin: Callable[[], tuple[int, int]] | None = None,
+        table: str = "",
     ) -> None:
-        self._clock, self.changes, self._origin = clock, changes, origin
+        self._clock, self.changes, self._origin, self.table = clock, changes, origin, table
         self._values: dict[int, float] = {}
         self.active_low: frozenset[int] = frozenset()
         self.listeners: list[Callable[[int, float], None]] = []
         # True while its values are only supposed.
         self.is_supposed = False
-        # Called with each channel that is read; None if that is not observed.
-        self.observer: Callable[[int], None] | None = None
-        # Called with each channel that is read, if the world answers some channels when they are asked for.
-        self.reader: Callable[[int], None] | None = None
+        self.observer: ReadObserver | None = None
 
     def __getitem__(self, channel: int) -> float:
         if self.observer is not None:
-            self.observer(channel)
-        if self.reader is not None:
-            self.reader(channel)
+            self.observer(self.table, channel)
         return self._values.get(channel, 0)
 
     def present(self, channel: int) -> float:
@@ -87,10 +84,6 @@ class Channels:
         finally:
             self._values, self.is_supposed = before, False
 
-    def observe(self, observer: Callable[[int], None]) -> None:
-        """Call `observer` with each channel that the program reads."""
-        self.observer = observer
-
     @property
     def values(self) -> tuple[tuple[int, float], ...]:
         """The channels that have been set, with their values."""
@@ -113,13 +106,12 @@ class Channels:
 
     def _notify(self, channel: int) -> None:
         observer, self.observer = self.observer, None  # the program reads nothing here
-        reader, self.reader = self.reader, None
         try:
             value = self[channel]
             for listener in tuple(self.listeners):
                 listener(channel, value)
         finally:
-            self.observer, self.reader = observer, reader
+            self.observer = observer
 
     def listen(self, call: Callable[[int, float], None]) -> None:
         """Call `call(channel, value)` after a value has changed."""
@@ -128,9 +120,7 @@ class Channels:
     def inverted(self, channel: int) -> bool:
         """Convert a channel's level to its logical state, or vice versa."""
         if self.observer is not None:
-            self.observer(channel)
-        if self.reader is not None:
-            self.reader(channel)
+            self.observer(self.table, channel)
         return bool(self._values.get(channel, 0)) is not (channel in self.active_low)
 
     def set_active_low(self, channels: Iterable[int]) -> None:
@@ -154,20 +144,18 @@ class AnalogueInputs(Channels):
     __slots__ = ("_computes", "_sampled", "computed")
 
     def __init__(self, clock: Clock, log: Log) -> None:
-        super().__init__(clock, log.changes_of_analogue_inputs)
+        super().__init__(clock, log.changes_of_analogue_inputs, table="analogue")
         self._sampled = log.sampled
         self.computed: dict[int, Sensor] = {}
         self._computes = False
         log.analogue_inputs = AnalogueChanges(log, self.settle)
 
     def __getitem__(self, channel: int) -> float:
-        if self.reader is not None:
-            self.reader(channel)
+        if self.observer is not None:
+            self.observer(self.table, channel)
         if channel in self.computed and (level := self.computed[channel].level()) is not None:
-            if self.observer is not None:
-                self.observer(channel)
             return level
-        return super().__getitem__(channel)
+        return self._values.get(channel, 0)
 
     def set(self, channel: int, value: float) -> bool:
         """Set a channel; return True if that changed it."""

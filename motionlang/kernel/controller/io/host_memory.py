@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
 from motionlang.kernel.controller.io.bits import signed
+from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
 
 if TYPE_CHECKING:
@@ -44,20 +45,14 @@ class HostMemory:
         }
         self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
         self.listeners: list[Listener] = []
-        # Called with each element that the program reads, if the host answers some when they are asked for.
-        self.reader: Callable[[str, int], None] | None = None
         self.mapping = mapping
-        # Called with the area and the element that the program reads; None if that is not observed.
-        self.observer: Callable[[str, int], None] | None = None
-        self._responders: dict[tuple[str, int], Responder] = {}
+        self.observer: ReadObserver | None = None
 
     # ------------------------------------------------------------------------------------- the program's side
 
     def integer(self, area: str, element: int) -> int:
         if self.observer is not None:
             self.observer(area, element)
-        if self.reader is not None:
-            self.reader(area, element)
         return self._words[area][_checked(area, element)]
 
     def set_integer(self, area: str, element: int, value: int) -> None:
@@ -66,8 +61,6 @@ class HostMemory:
     def real(self, area: str, element: int) -> float:
         if self.observer is not None:
             self.observer(area, element)
-        if self.reader is not None:
-            self.reader(area, element)
         return self._floats[area][_checked(area, element)]
 
     def set_real(self, area: str, element: int, value: float) -> None:
@@ -130,16 +123,7 @@ class HostMemory:
             self.write(area, element, words)  # type: ignore[arg-type]
 
         name = f"{_CALLED[area]}, {'address' if area == 'dpr' else 'element'} {element}"
-        key = area, element
-        responder = asking.add(
-            area, entry, since, key, lambda: Responder(asking, lambda _: name, current, other, put)
-        )
-        self._responders[key] = responder
-        self.reader = self._reads
-
-    def _reads(self, area: str, element: int) -> None:
-        if (area, element) in self._responders:
-            self._responders[area, element].read()
+        asking.add(area, element, entry, since, Responder(lambda _: name, current, other, put))
 
 
 def product(model: str) -> str:

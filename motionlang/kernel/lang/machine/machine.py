@@ -6,7 +6,6 @@ The machine file describes the world.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -62,8 +61,6 @@ class Machine:
         # Called before statements of a debug build.
         self.hook = hook
         self.observer = observer
-        # Called with the table and the number of each channel that the program reads, if that is observed.
-        self.read_observer: Callable[[str, int], None] | None = None
         self.model = str(get("controller.model", ""))
         self.instruction_time = float(get("controller.instruction_time", INSTRUCTION_TIME))  # type: ignore[arg-type]
         # The assumptions that this controller settles differently from the default, by name.
@@ -207,6 +204,7 @@ class Machine:
         for area in AREAS:
             for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
                 host.schedule(self.controller, area, entry)
+        self.controller.reads.join(host)
         return host
 
     @property
@@ -232,19 +230,7 @@ class Machine:
         if found is None:
             terminal = self.terminal_at(number)
             found = self._operators[number] = Operator(self.controller, terminal, self.settings, number)
-            if self.read_observer is not None:
-                found.observer = partial(self.read_observer, "key", 0)
         return found
-
-    def observe_reads(self, observer: Callable[[str, int], None]) -> None:
-        """Call `observer(table, number)` with what the program reads of the world, by the table of the machine file."""
-        self.read_observer = observer
-        inputs, levels = self.controller.inputs, self.controller.analogue_inputs
-        inputs.observe(partial(observer, "input"))
-        levels.observe(partial(observer, "analogue"))
-        self.host.observer = observer
-        for operator in self._operators.values():
-            operator.observer = partial(observer, "key", 0)
 
     def unasked(self) -> list[str]:
         """Return the answers in the settings that no INPUT has used."""

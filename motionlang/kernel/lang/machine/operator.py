@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
-from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
+from motionlang.kernel.controller.io.asking import AskedRule, Responder
+from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.controller.state import ControllerState
 from motionlang.kernel.lang.machine.terminal import Terminal
 
@@ -44,14 +45,12 @@ class Operator:
         self.asking = False
         self._typed = ""
         self._held_key, self._until = 0, -1.0
-        # Called when the program reads a key; None if that is not observed.
-        self.observer: Callable[[], object] | None = None
+        self.observer: ReadObserver | None = None
         # The lines typed ahead: the text, and the prompt that it answers ("" for any).
         self.lines: list[tuple[str, str]] = []
         self._number = number
-        # What presses keys when the program asks for one, if there is such an entry.
-        self._responder: Responder | None = None
         self.add(settings)
+        controller.reads.join(self)
 
     def add(self, settings: Mapping[str, object], since: float = 0.0) -> None:
         """Add the `[[answer]]` and `[[key]]` entries of this terminal.
@@ -70,14 +69,13 @@ class Operator:
                 continue
             if "asked" in entry:
                 asking = self._controller.answering()
-                key = "key", self._number
-                self._responder = asking.add("key", entry, since, key, partial(self._new_responder, asking))
+                asking.add("key", self._number, entry, since, self._new_responder())
                 continue
             duration: float = entry.get("for", PRESS_TIME)  # type: ignore[assignment]
             stimuli = self._controller.stimuli
             stimuli.add("key", entry, partial(self.press, str(entry["text"]), duration), since)
 
-    def _new_responder(self, asking: Asking) -> Responder:
+    def _new_responder(self) -> Responder:
         """Return what presses a key when the program asks for one, and none has been pressed or is held."""
 
         def has_key() -> bool:
@@ -89,7 +87,7 @@ class Operator:
         def put(rule: AskedRule, keys: object) -> None:
             self.press(str(keys), float(rule.stimulus.entry.get("for", PRESS_TIME)))  # type: ignore[arg-type]
 
-        return Responder(asking, lambda keys: f"key {keys}", has_key, text, put)
+        return Responder(lambda keys: f"key {keys}", has_key, text, put)
 
     def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""
@@ -105,17 +103,13 @@ class Operator:
     def next_key(self) -> int:
         """Return the next pressed key, or 0 if there is none."""
         if self.observer is not None:
-            self.observer()
-        if self._responder is not None:
-            self._responder.read()
+            self.observer("key", self._number)
         return self.keys.pop(0) if self.keys else 0
 
     def held_key(self) -> int:
         """Return the key that is held down now, or 0."""
         if self.observer is not None:
-            self.observer()
-        if self._responder is not None:
-            self._responder.read()
+            self.observer("key", self._number)
         return self._held_key if self._clock.now < self._until else 0
 
     @property

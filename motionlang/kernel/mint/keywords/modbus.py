@@ -13,6 +13,7 @@ from struct import pack, unpack
 
 from motionlang.kernel.controller.io.asking import AskedRule, Responder
 from motionlang.kernel.controller.io.channels import Channels
+from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.runtime.binding import Maker, of
@@ -41,9 +42,7 @@ class Servers:
     def __init__(self, environment: Environment) -> None:
         self._clock, self._machine = environment.clock, environment.machine
         self._controller = environment.controller
-        # What writes a register when the program asks for it, by server and register.
-        self._responders: dict[tuple[int, int], Responder] = {}
-        self._asked: dict[tuple[int, int], dict[object, list[int]]] = {}
+        self.observer: ReadObserver | None = None
         self._servers: dict[int, RegisterServer] = {}
         for entry in self._entries("modbus.server"):
             self._declare(entry)
@@ -52,6 +51,7 @@ class Servers:
         self._named = bool(self._servers)
         self._machine.written.append(self.written)
         self._machine.receivers["modbus.register"] = self._schedule
+        self._controller.reads.join(self)
 
     def _entries(self, table: str) -> Sequence[Entry]:
         return self._machine.settings.get(table, ())  # type: ignore[return-value]
@@ -74,56 +74,40 @@ class Servers:
         It is not made by a client, so it may also change registers that clients cannot write.
         """
         server = self._servers.setdefault(entry["server"], RegisterServer())  # type: ignore[arg-type]
-        value: float = entry["value"]  # type: ignore[assignment]
-        width = str(entry.get("as", "word" if isinstance(value, int) else "float"))
         register: int = entry["register"]  # type: ignore[assignment]
-        words = words_of(value, width)
         if "asked" in entry:
-            self._answer(server, entry, register, words, since)
+            self._answer(server, entry, register, since)
             return
-        change = partial(_put, server, register, words)
+        change = partial(_put, server, register, _words(entry))
         stimuli = self._controller.stimuli
         stimuli.add("modbus.register", entry, change, since, at_once=True)
 
-    def _answer(
-        self, server: RegisterServer, entry: Entry, register: int, words: Sequence[int], since: float
-    ) -> None:
+    def _answer(self, server: RegisterServer, entry: Entry, register: int, since: float) -> None:
         """Write an entry when the program asks for its register and it has another value."""
         number: int = entry["server"]  # type: ignore[assignment]
-        asking, values = self._controller.answering(), self._asked.setdefault((number, register), {})
 
-        def current() -> list[int]:
-            return [server.words.get(register + k, 0) for k in range(len(words))]
+        def current(count: int = 2) -> list[int]:
+            return [server.words.get(register + k, 0) for k in range(count)]
 
-        def other(rule: AskedRule) -> Sequence[int] | None:
-            words = values[rule.stimulus]
-            return None if words == current() else words
+        def other(rule: AskedRule) -> list[int] | None:
+            words = _words(rule.stimulus.entry)
+            return None if words == current(len(words)) else words
 
         def put(rule: AskedRule, words: object) -> None:
             _put(server, register, words)  # type: ignore[arg-type]
 
-        key = "modbus.register", number, register
         name = f"register {register} of Modbus server {number}"
-        responder = asking.add(
-            "modbus.register",
-            entry,
-            since,
-            key,
-            lambda: Responder(asking, lambda _: name, current, other, put),
-        )
-        values[responder.rules[-1].stimulus] = list(words)
-        self._responders[number, register] = responder
+        responder = Responder(lambda _: name, current, other, put)
+        key = number * (LAST + 1) + register
+        self._controller.answering().add("modbus.register", key, entry, since, responder)
 
     # ------------------------------------------------------------------------------------------ the client's side
 
     def read(self, number: int, register: int, count: int) -> list[int]:
         """Return registers of a server; raise Rejected if it does not answer."""
-        if self._machine.read_observer is not None:
-            self._machine.read_observer("modbus.register", number * (LAST + 1) + register)
+        if self.observer is not None:
+            self.observer("modbus.register", number * (LAST + 1) + register)
         words = self._reached(number, register, count).words
-        for k in range(count if self._responders else 0):
-            if (number, register + k) in self._responders:
-                self._responders[number, register + k].read()
         return [words.get(register + k, 0) for k in range(count)]
 
     def write(self, number: int, register: int, words: Sequence[int]) -> None:
@@ -167,6 +151,11 @@ def _put(server: RegisterServer, register: int, words: Sequence[int]) -> None:
 
 def _nothing() -> None:
     """Do nothing: the event only makes tasks check again."""
+
+
+def _words(entry: Entry) -> list[int]:
+    value: float = entry["value"]  # type: ignore[assignment]
+    return words_of(value, str(entry.get("as", "word" if isinstance(value, int) else "float")))
 
 
 def words_of(value: float, width: str) -> list[int]:
@@ -244,9 +233,8 @@ class Coils:
 
     def __init__(self, environment: Environment) -> None:
         self._controller = environment.controller
-        self.values = Channels(environment.clock)
-        if environment.machine.read_observer is not None:
-            self.values.observer = partial(environment.machine.read_observer, "coil")
+        self.values = Channels(environment.clock, table="coil")
+        self._controller.reads.join(self.values)
         for entry in environment.machine.settings.get("coil", ()):  # type: ignore[attr-defined]
             self._schedule(entry)
         environment.machine.receivers["coil"] = self._schedule
