@@ -47,6 +47,7 @@ from motionlang.exploration.changes import (
     Channel,
     Entry,
     entries,
+    keys_of,
     number_in,
     tables_of,
 )
@@ -87,6 +88,7 @@ __all__ = [
     "explore",
     "explored",
     "is_probe",
+    "keys_of",
     "lead",
     "lines_of",
     "number_in",

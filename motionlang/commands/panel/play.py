@@ -34,8 +34,9 @@ from time import monotonic
 
 from motionlang.commands.panel.pace import PlayPace
 from motionlang.commands.panel.rest import SHADOW, PanelWait, RestWatch
-from motionlang.exploration import Change, tables_of
+from motionlang.exploration import Change, Entry, tables_of
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, Task, run
+from motionlang.kernel.lang import CONSOLE
 
 # Changes are made at multiples of 1 / so many seconds.
 PER_SECOND = 50
@@ -128,6 +129,8 @@ class Play:
         self.stopped: dict[Task, int] = {}
         # The inputs that a hand has taken from the machine file.
         self.held: set[int] = set()
+        # How long the program had asked for each change that is made, s, None if it did not ask for it.
+        self.asked: list[float | None] = []
         self.text: list[str] = []
         self.watch = RestWatch(program)
         self.watch.stop = self._stop
@@ -264,13 +267,21 @@ class Play:
             pass
 
     def _wired(self) -> dict[str, object]:
-        """Return the settings with each input of the machine file moved to its shadow."""
-        entries = self.settings.get("input", ())
-        moved = [{**each, "channel": each["channel"] + SHADOW} for each in entries]  # type: ignore[attr-defined]
-        return {**self.settings, "input": moved} if moved else dict(self.settings)
+        """Return the settings with each input of the machine file moved to its shadow, but for those that answer.
+
+        An input that answers when the program asks for it is the one that the program reads.
+        """
+        entries: list[Entry] = self.settings.get("input", [])  # type: ignore[assignment]
+        asked = {each["channel"] for each in entries if "asked" in each}
+        wired = [
+            each if each["channel"] in asked else {**each, "channel": each["channel"] + SHADOW}  # type: ignore[operator]
+            for each in entries
+        ]
+        return {**self.settings, "input": wired} if wired else dict(self.settings)
 
     def _begin(self, machine: Machine) -> None:
         self.machine = machine
+        machine.controller.answering()  # before the watch, which lets it know of a value that is about to be read
         self.watch.attach(machine)
         machine.ask = self._ask
         inputs = machine.controller.inputs
@@ -367,17 +378,32 @@ class Play:
         changes = self.record.changes
         while self._made < len(changes) and changes[self._made][0] <= time:
             self._made += 1
-            self._make(changes[self._made - 1][1])
+            change = changes[self._made - 1][1]
+            self.asked.append(self._asked_for(change))
+            self._make(change)
+
+    def _asked_for(self, change: Change) -> float | None:
+        """Return how long the program has asked for a change, s, None if it does not ask for it."""
+        assert self.machine is not None
+        controller = self.machine.controller
+        if change.table == "input" and controller.inputs.present(change.number) == change.value:
+            return None
+        number = CONSOLE if change.table == "key" else change.number
+        since = controller.answering().asked_since(change.table, number)
+        return None if since is None else self.now - since
 
     def _make(self, change: Change) -> None:
         assert self.machine is not None
-        inputs = self.machine.controller.inputs
+        inputs, asking = self.machine.controller.inputs, self.machine.controller.answering()
         if change.table == RELEASE:
             self.held.discard(change.number)
-            inputs[change.number] = inputs[change.number + SHADOW]
+            asking.let_go("input", change.number)
+            if change.number + SHADOW in dict(inputs.values):
+                inputs[change.number] = inputs.present(change.number + SHADOW)
             return
         if change.table == "input" and change.number in self.driven:
             self.held.add(change.number)
+            asking.hold("input", change.number)
         self.machine.add_entries(tables_of(((self.now, change),), self.now))
 
     def _act(self, seconds: float = 0.0) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from math import inf
 from typing import NamedTuple
 
-from motionlang.exploration import SHORTEST_REST
+from motionlang.exploration import SHORTEST_REST, Channel, Entry, keys_of
 from motionlang.kernel import Dialect, Hook, Machine, Program, Task, Wait
 from motionlang.kernel.lang import READ, ChannelUse, Statement
 
@@ -19,6 +19,12 @@ from motionlang.kernel.lang import READ, ChannelUse, Statement
 RECENT = 1.0
 # Inputs that the machine file drives change these channels, so far away from them, from which the panel copies them.
 SHADOW = 100_000
+# An entry that never acts: with it, a run knows since when the program asks for a value.
+NEVER: Entry = {"asked": 0.0, "times": 0}
+VALUES: Mapping[str, Entry] = {
+    **{table: {"value": 0} for table in ("comms", "netdata", "dpr", "modbus.register")},
+    "key": {"text": ""},
+}
 # The tables of the machine file that drive a channel, by its kind; a bank of inputs is known by what it reads.
 TABLE_OF = {
     "input": "input",
@@ -56,6 +62,8 @@ class RestWatch(Hook):
         # The statements of handlers, which wait for nothing.
         self._handlers: set[int] = set()
         self._read: dict[int, tuple[float, int]] = {}
+        # What the program has read, and from then on asks for.
+        self._asked: set[Channel] = set()
         self._machine: Machine | None = None
         # When something new began last, and the number of moves then.
         self.news = 0.0
@@ -80,7 +88,12 @@ class RestWatch(Hook):
 
     def _reads(self, table: str, channel: int) -> None:
         machine = self._machine
-        if table == "input" and channel < SHADOW and machine is not None and machine.scheduler is not None:
+        if machine is None or machine.scheduler is None or channel >= SHADOW:
+            return
+        if (table, channel) not in self._asked:
+            self._asked.add((table, channel))
+            machine.add_entries({table: [keys_of(table, channel) | NEVER | VALUES.get(table, {})]})
+        if table == "input":
             self._read[channel] = machine.clock.now, machine.scheduler.current.at
 
     @property

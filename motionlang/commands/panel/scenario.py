@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from math import ceil
 from typing import NamedTuple
@@ -22,6 +23,8 @@ from motionlang.kernel.tracks import axes_of
 
 # A printed line is expected within so many seconds, and a position within so many user units.
 NEAR, WITHIN = 0.05, 0.001
+# A run that only waits at its end may be so many times as long.
+SPARE = 10
 # So many printed lines are expected at most, from the first and the last ones.
 MAX_PRINTS = 40
 _SEQUENCE = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x1f\x7f]")
@@ -57,9 +60,16 @@ def save(file: str, play: Play) -> Saved:
         raise NotSaved(f"the machine file: {error.diagnostics[0].message}") from None
     below.pop("expect", None)
     above = world_of(play, below)
-    made = run(file, dialect=program.language, machine=layered(below, above))
+    made, is_timed = run(file, dialect=program.language, machine=layered(below, above)), True
+    # If the machine then only waits, times are not needed: the scenario passes with other speeds in the program.
+    longer = above | {"run.until": SPARE * (ceil(play.now) + 1.0)}
+    untimed = run(file, dialect=program.language, machine=layered(below, longer))
+    if not _difference(play, untimed):
+        above, made, is_timed = longer, untimed, False
     when = f"at {play.now:.2f} s" if play.result is None else "at its end"
-    text = HEAD.format(name=program.source.name, when=when) + text_of(above, expected(made))
+    text = HEAD.format(name=program.source.name, when=when) + text_of(
+        above, expected(made, is_timed=is_timed)
+    )
     try:
         read_machine(Source(file, text), is_layer=True)
     except ProgramError as error:
@@ -83,13 +93,14 @@ def world_of(play: Play, below: Mapping[str, object]) -> dict[str, object]:
     )
     taken = {change.number for _, change in done.changes if change.table == "input"} & play.driven
     made = [
-        (time, change)
-        for time, change in done.changes
+        ((time, change), asked)
+        for (time, change), asked in zip(
+            done.changes, [*play.asked, *[None] * len(done.changes)], strict=False
+        )
         if change.table != RELEASE and not (change.table == "input" and change.number in taken)
     ]
-    made += [(time, Change("answer", 0, text)) for time, text in done.answers]
-    for table, entries in tables_of(tuple(made)).items():
-        assert isinstance(entries, list)
+    made += [((time, Change("answer", 0, text)), None) for time, text in done.answers]
+    for table, entries in _tables(made).items():
         given: Sequence[Entry] = settings.get(table, ())  # type: ignore[assignment]
         numbers = {number_in(table, each) for each in entries}
         mine = [each for each in given if number_in(table, each) in numbers]
@@ -99,6 +110,38 @@ def world_of(play: Play, below: Mapping[str, object]) -> dict[str, object]:
         others = [each for each in above.get("input", ()) if each["channel"] not in taken]  # type: ignore[attr-defined]
         above["input"] = [*others, *_history(play, taken, now)]
     return above
+
+
+def _tables(made: Sequence[tuple[tuple[float, Change], float | None]]) -> dict[str, list[Entry]]:
+    """Return the entries of changes, each with how long the program had asked for it, None if it did not.
+
+    An input that goes back while the program does not ask for that has been pressed `for` so long.
+    """
+    tables: dict[str, list[Entry]] = defaultdict(list)
+    # The entry that has changed an input last when the program asked for it, and when.
+    pressed: dict[int, tuple[float, Entry]] = {}
+    for (time, change), asked in made:
+        is_input = change.table == "input"
+        if is_input and asked is None and change.number in pressed:
+            since, entry = pressed.pop(change.number)
+            if entry["level"] != change.value:
+                entry["for"] = _exact(time - since)
+                continue
+        ((table, entries),) = tables_of(((time, change),)).items()
+        assert isinstance(entries, list)
+        if asked is not None:
+            entry = {key: value for key, value in entries[0].items() if key not in ("at", "value")}
+            value = {"level" if is_input else "value": change.value} if "value" in entries[0] else {}
+            entries = [entry | {"asked": _exact(asked)} | value | {"times": 1}]
+            if is_input:
+                pressed[change.number] = time, entries[0]
+        tables[table] += entries
+    return tables
+
+
+def _exact(seconds: float) -> float:
+    """Return a time to the nearest millisecond."""
+    return round(seconds, 3)
 
 
 def _history(play: Play, taken: set[int], now: float) -> list[Entry]:
@@ -114,8 +157,8 @@ def _history(play: Play, taken: set[int], now: float) -> list[Entry]:
 # ----------------------------------------------------------------------------------------------------- expectations
 
 
-def expected(made: Run) -> list[Entry]:
-    """Return what a run has printed and moved, and how it was when it ended."""
+def expected(made: Run, *, is_timed: bool) -> list[Entry]:
+    """Return what a run has printed and moved, and how it was when it ended; when, if `is_timed`."""
     prints = [(each.time, text) for each in made.machine.log.prints if (text := _longest(each.text))]
     if len(prints) > MAX_PRINTS:
         prints = prints[: MAX_PRINTS // 2] + prints[-MAX_PRINTS // 2 :]
@@ -123,6 +166,8 @@ def expected(made: Run) -> list[Entry]:
         {"prints": text, "after": _rounded(max(time - NEAR, 0.0)), "before": _rounded(time + NEAR)}
         for time, text in prints
     ]
+    if not is_timed:
+        found = [{"prints": text} for text in dict.fromkeys(text for _, text in prints)]
     found.append({"quantity": "moves", "value": len(made.machine.log.moves)})
     for axis in axes_of(made.controller):
         moved = made.controller.axes[axis]
@@ -149,10 +194,7 @@ def _difference(play: Play, made: Run) -> str:
     """Return how the run of a scenario differs from the one by hand; "" if it does not."""
     assert play.machine is not None
     log, other = play.machine.log, made.machine.log
-    now = play.now
-    printed = [each.text for each in log.prints if each.time < now]
-    again = [each.text for each in other.prints if each.time < now]
-    if printed != again[: len(printed)]:
+    if [each.text for each in log.prints] != [each.text for each in other.prints]:
         return "it prints other lines"
     if len(log.moves) != len(other.moves):
         return f"it makes {len(other.moves)} moves, not {len(log.moves)}"

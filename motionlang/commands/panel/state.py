@@ -125,11 +125,7 @@ def state_of(play: Play, made: Data) -> Data:
             channel: value for channel, value in controller.inputs.values if channel < SHADOW and value
         },
         "read": sorted(play.watch.inputs),
-        "values": {
-            f"{each['table']} {each['number']}": _value(machine, each)
-            for each in made["inputs"]
-            if each["table"] != "input"
-        },
+        "values": _values(machine, made["inputs"]),
         "held": sorted(play.held),
         "outputs": [
             each["number"] for each in made["outputs"] if controller.outputs.inverted(each["number"])
@@ -199,6 +195,16 @@ def _axis_state(machine: Machine, number: int, now: float) -> list[object]:
         round(target, 4) if isfinite(target) and axis.is_moving else None,
         ", ".join(filter(None, words)),
     ]
+
+
+def _values(machine: Machine, rows: Sequence[Data]) -> Data:
+    """Return the present values of analogue inputs and of elements that a host writes."""
+    with machine.controller.reads.replaced():
+        return {
+            f"{each['table']} {each['number']}": _value(machine, each)
+            for each in rows
+            if each["table"] != "input"
+        }
 
 
 def _value(machine: Machine, row: Data) -> object:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.keys import TABLES as TABLES
     from motionlang.kernel.lang.machine.layers import layered as layered
     from motionlang.kernel.lang.machine.machine import ASSUMPTIONS as ASSUMPTIONS
+    from motionlang.kernel.lang.machine.machine import CONSOLE as CONSOLE
     from motionlang.kernel.lang.machine.switch import switch as switch
     from motionlang.kernel.lang.machine.terminal import Terminal as Terminal
     from motionlang.kernel.lang.names import NO_NAMES as NO_NAMES
@@ -109,7 +110,7 @@ PUBLIC = {
     "foreign": "one_sentence AT_PROMPT IN_EDITOR",
     "keyword": "BANK CHANNELS TOPICS",
     "machine.keys": "DRIVES KEYS TABLES CHOICES REQUIRED MAX_AXES",
-    "machine.machine": "ASSUMPTIONS",
+    "machine.machine": "ASSUMPTIONS CONSOLE",
 }
 
 if not TYPE_CHECKING:

@@ -54,16 +54,16 @@ def test_a_part_by_hand_is_a_scenario(tmp_path: Path, capsys: pytest.CaptureFixt
         scenario.read_text(encoding="utf-8")
         == """\
 # press.mnt as it was operated by hand, saved at 0.64 s by motionlang panel.
-run.until = 0.64
+run.until = 20.0
 
 input = [
   { channel = 2, at = 0.16, value = 1 },
-  { channel = 1, at = 0.16, value = 1 },
-  { channel = 1, at = 0.62, value = 0 },
+  { channel = 1, asked = 0.16, level = 1, times = 1 },
+  { channel = 1, asked = 0.16, level = 0, times = 1 },
 ]
 
 expect = [
-  { prints = "part 1", after = 0.41, before = 0.51 },
+  { prints = "part 1" },
   { quantity = "moves", value = 1 },
   { axis = 0, position = 20.0, within = 0.001 },
   { diagnostic = "never" },
@@ -83,6 +83,72 @@ def test_a_scenario_of_a_program_that_has_ended(tmp_path: Path, capsys: pytest.C
     assert 'status = "ended"' in text
     assert '{ prints = "done"' in text
     assert "2 of 2 scenarios pass" in verified(path, capsys)
+
+
+@pytest.mark.parametrize("speed", [30, 400])
+def test_a_scenario_passes_with_another_speed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], speed: int
+) -> None:
+    path = tmp_path / "press.mnt"
+    with operated(path, PRESS) as hand:
+        press(hand, parts=3)
+        text = saved(hand).read_text(encoding="utf-8")
+    assert text.count("asked = ") == 5
+    assert "for = " in text  # the last time, START was let go when the program had ended
+    path.write_text(PRESS.replace("SPEED(0) = 100", f"SPEED(0) = {speed}"), encoding="utf-8")
+    assert "1 of 1 scenarios pass" in verified(path, capsys)
+
+
+def test_a_button_is_pressed_for_some_time_while_the_program_moves(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "press.mnt"
+    text = PRESS.replace("MOVER(0) = 20", "MOVER(0) = 100").replace("  Pause INX(1) = 0\n", "")
+    with operated(path, text) as hand:
+        hand.rests()
+        hand.set(2, 1)
+        hand.set(1, 1)
+        hand("change", table="input", number=1, value=0, button_up=True)
+        hand.rests()
+        made = saved(hand).read_text(encoding="utf-8")
+    assert "{ channel = 1, asked = 0.16, level = 1, times = 1, for = 0.02 }" in made
+    path.write_text(text.replace("SPEED(0) = 100", "SPEED(0) = 50"), encoding="utf-8")
+    assert "1 of 1 scenarios pass" in verified(path, capsys)
+
+
+def test_a_run_that_goes_on_is_saved_with_its_times(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The run is saved before its next line, so the scenario ends there, and has the times of what it prints."""
+    path = tmp_path / "guard.mnt"
+    text = "SPEED(0) = 10\nOUTX(1) = 1\nMOVER(0) = 20 : GO(0) : Pause IDLE(0)\n"
+    text += 'If INX(3) Then Print "guard open"\nWAIT = 5000\nPrint "over"\nPause INX(4)\n'
+    with operated(path, text) as hand:
+        hand.set(3, 1)
+        hand.rests()
+        hand.state = {}
+        hand("back", time=3.0)
+        hand.sees(lambda state: state["t"] == 3.0 and state["mode"] == "paused")
+        made = saved(hand).read_text(encoding="utf-8")
+    assert re.search(r"\{ channel = 3, at = [\d.]+, value = 1 \}", made)
+    assert re.search(r'\{ prints = "guard open", after = [\d.]+, before = [\d.]+ \}', made)
+    assert "1 of 1 scenarios pass" in verified(path, capsys)
+
+
+def test_an_input_that_answers_does_so_in_the_panel_until_a_hand_takes_it(tmp_path: Path) -> None:
+    path = tmp_path / "press.mnt"
+    machine = "input = [{ channel = 1, asked = 0.3, times = 6 }, { channel = 2, asked = 0.2 }]\n"
+    (tmp_path / "press.machine.toml").write_text(machine, encoding="utf-8")
+    with operated(path, PRESS) as hand:
+        hand("run")
+        hand.sees(lambda state: "part 2" in hand.text)
+        hand.set(1, 0)
+        assert hand.rests()["waits"] == [("input", 1, 7)]
+        assert hand.state["held"] == [1]
+        assert hand.state["mode"] == "paused"
+        hand("change", table="release", number=1, value=0)
+        hand("run")
+        hand.sees(lambda state: state["mode"] == "ended")
 
 
 def test_the_same_actions_at_the_same_times_give_the_same_run_to_the_byte(tmp_path: Path) -> None:
@@ -115,8 +181,9 @@ def test_answers_keys_and_numbers_are_saved(tmp_path: Path, capsys: pytest.Captu
         assert hand.rests()["waits"] == [("input", 9, 7)]
         made = saved(hand).read_text(encoding="utf-8")
     assert 'answer = [\n  { text = "12" },\n]' in made
-    assert re.search(r"comms = \[\n  \{ element = 3, at = [\d.]+, value = 5.5 \},\n\]", made)
-    assert re.search(r'key = \[\n  \{ at = [\d.]+, text = "x" \},\n\]', made)
+    assert re.search(r"comms = \[\n  \{ element = 3, asked = [\d.]+, value = 5.5, times = 1 \},\n\]", made)
+    assert re.search(r'key = \[\n  \{ text = "x", asked = [\d.]+, times = 1 \},\n\]', made)
+    assert re.search(r"analogue = \[\n  \{ channel = 0, asked = [\d.]+, value = 50, times = 1 \},\n\]", made)
     assert '{ prints = "over 12.0000"' in made
     assert "1 of 1 scenarios pass" in verified(path, capsys)
 

@@ -31,8 +31,8 @@ class ReadObservers:
         place.observer = self._called
 
     def add(self, observer: ReadObserver) -> None:
-        """Call an observer with each value that the program reads from now on."""
-        self._observers.append(observer)
+        """Call an observer with each value that the program reads from now on, before the others."""
+        self._observers.insert(0, observer)
         self._call(observer if len(self._observers) == 1 else self._call_all)
 
     def replaced(self, observer: ReadObserver | None = None) -> ReplacedObservers:

@@ -274,6 +274,9 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
         if name in entry and name in rows and "output" in rows and "output" not in entry:
             hint = "output = 1 is the output after whose change it happens"
             yield f"{name} of [[{table}]] has no effect without an output", hint, name
+    if table == "analogue" and "times" in entry:
+        hint = "add asked, the time after which it changes once the program asks for it"
+        yield "times of [[analogue]] has no effect without asked", hint, "times"
     if table == "input" and "level" in entry and "output" in entry and "for" not in entry:
         hint = "add for, or write value = 0 for an input that is off while the output is on"
         yield "level of [[input]] has no effect without for", hint, "level"

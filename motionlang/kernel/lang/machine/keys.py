@@ -202,6 +202,10 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         ),
         "for": ("positive", "Duration in seconds. Default: forever."),
         "asked": _ASKED,
+        "times": (
+            "times",
+            "With asked: number of times that it changes in total, 1 to 10000. Default: until the end of the run.",
+        ),
         **_WHEN,
         "guess": _GUESS,
     },
