@@ -162,7 +162,7 @@ def reading(machine: Machine, time: float, what: str, number: int) -> float:
     """Return a reading for an expression; raise WrongExpression for an unknown axis."""
     controller = machine.controller
     if what in ("input", "output"):
-        return float((controller.inputs if what == "input" else controller.outputs)[number])
+        return float((controller.inputs if what == "input" else controller.outputs).present(number))
     axis = controller.axes.get(number)
     if axis is None:
         raise WrongExpression(f"there is no axis {number}")
@@ -199,14 +199,16 @@ def present(machine: Machine, name: str) -> object:
         "input": controller.inputs, "analogue input": controller.analogue_inputs,
         "output": controller.outputs, "analogue output": controller.analogue_outputs,
     }  # fmt: skip
-    return channels[what][number]
+    with controller.reads.replaced():
+        return channels[what][number]
 
 
 def inputs(machine: Machine) -> list[Variable]:
     """Return the digital and analogue inputs that have had a value other than 0."""
     controller = machine.controller
-    digital = _channels("input", controller.inputs)
-    return digital + _channels("analogue input", controller.analogue_inputs)
+    with controller.reads.replaced():
+        digital = _channels("input", controller.inputs)
+        return digital + _channels("analogue input", controller.analogue_inputs)
 
 
 def outputs(machine: Machine) -> list[Variable]:

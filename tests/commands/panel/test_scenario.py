@@ -140,14 +140,13 @@ def test_an_input_that_answers_does_so_in_the_panel_until_a_hand_takes_it(tmp_pa
     machine = "input = [{ channel = 1, asked = 0.3, times = 6 }, { channel = 2, asked = 0.2 }]\n"
     (tmp_path / "press.machine.toml").write_text(machine, encoding="utf-8")
     with operated(path, PRESS) as hand:
-        hand("run")
-        hand.sees(lambda state: "part 2" in hand.text)
         hand.set(1, 0)
         assert hand.rests()["waits"] == [("input", 1, 7)]
         assert hand.state["held"] == [1]
-        assert hand.state["mode"] == "paused"
-        hand("change", table="release", number=1, value=0)
+        hand("speed", speed=100)
         hand("run")
+        assert hand.sees(lambda state: state["t"] > 5.0)["waits"] == [("input", 1, 7)]
+        hand("change", table="release", number=1, value=0)
         hand.sees(lambda state: state["mode"] == "ended")
 
 
@@ -238,3 +237,26 @@ def test_a_folder_that_cannot_be_made_is_reported(tmp_path: Path) -> None:
         (tmp_path / "press.scenarios").write_text("", encoding="utf-8")
         hand("save")
         hand.hears(f"not saved: {tmp_path / 'press.scenarios'}: file exists")
+
+
+def test_what_answers_does_so_again_after_going_back(tmp_path: Path) -> None:
+    machine = "input = [{ channel = 1, asked = 0.3, for = 0.5 }, { channel = 2, asked = 0.2 }]\n"
+    (tmp_path / "press.machine.toml").write_text(machine, encoding="utf-8")
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand("speed", speed=100)
+        hand("run")
+        hand.sees(lambda state: state["mode"] == "ended")
+        first = run_of(hand).result
+        hand.state = {}
+        hand("back", time=0.7)
+        hand.sees(lambda state: state["mode"] == "paused" and state["t"] == 0.7)
+        hand("run")
+        hand.sees(lambda state: state["mode"] == "ended")
+        again = run_of(hand).result
+        assert first is not None
+        assert again is not None
+        assert again is not first
+        assert report_of(again) == report_of(first)
+        assert [each.text for each in first.machine.log.events if each.kind == "asked"].count(
+            "input 1 on"
+        ) == 3

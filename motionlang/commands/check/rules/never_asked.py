@@ -28,9 +28,7 @@ def check(facts: MintFacts | MacroFacts, warn: Warn) -> None:
     if not asked:
         return
     structure = facts.structure
-    uses = [
-        use for each in structure.statements.values() for use in each.channels if use.access == "read"
-    ]
+    uses = [use for each in structure.statements.values() for use in each.channels if use.access == "read"]
     lines = {line for each in structure.waits.all() for line in each.lines}
     polled = [use for use in uses if structure.line(use.at) in lines]
     for (table, number), name in sorted(asked.items()):
@@ -72,8 +70,8 @@ RULE = Rule(
     code="never-asked",
     group="Control flow",
     text="""\
-An entry of the machine file with [`asked`](machine-file.md#what-answers-when-asked) acts while the program waits for its
-input, key or number, or polls it in a loop. No wait and no loop of the program reads it.
+An entry of the machine file with [`asked`](machine-file.md#what-answers-when-asked) acts while the program waits for
+its input, key or number, or polls it in a loop. No wait and no loop of the program reads it.
 """,
     fix="wait for the value or poll it, or say in another way when it changes",
     mint=RuleCase(check, wrong="IF INX(1) THEN PRINT 1\n", right="PAUSE INX(1)\nPRINT 1\n", machine=_MACHINE),
