@@ -147,7 +147,9 @@ class Behaviour:
 def _fixed_times(run: Run) -> Iterator[float]:
     """Yield the times at which inputs change by the clock alone."""
     entries: list[dict[str, object]] = run.machine.settings.get("input", [])  # type: ignore[assignment]
-    yield from (at for each in entries if isinstance(at := each.get("at"), (int, float)))
+    yield from (
+        at for each in entries if isinstance(at := each.get("at"), (int, float)) and "asked" not in each
+    )
 
 
 def _answer_times(run: Run) -> Iterator[float]:

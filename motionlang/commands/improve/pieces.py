@@ -106,7 +106,7 @@ def _entries(settings: Mapping[str, object]) -> Iterator[tuple[str, Mapping[str,
     """Yield the entries that come by the clock alone: table, entry and time."""
     for name, value in settings.items():
         for each in value if isinstance(value, list) else ():
-            at = each.get("at") if isinstance(each, Mapping) else None
+            at = each.get("at") if isinstance(each, Mapping) and "asked" not in each else None
             if isinstance(at, (int, float)):
                 yield name, each, float(at)
 

@@ -135,3 +135,21 @@ def test_32_numbers_are_tried_together() -> None:
     found = improver_of(Source("many.mnt", text), machine).improved()
     assert len(found.edits) == 34
     assert found.trials <= 200
+
+
+def test_what_answers_when_asked_belongs_to_no_piece() -> None:
+    """Its time is that from which on it answers, which no edit moves."""
+    text = """\
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  Pause INX(1)
+  MOVER(0) = 100 : GO(0) : Pause IDLE(0)
+  Pause INX(1) = 0
+  MOVER(0) = -100 : GO(0) : Pause IDLE(0)
+End Loop
+"""
+    world = 'run.until = 20.0\ninput = [{ channel = 1, asked = 0.3 }]\nkey = [{ text = "S", asked = 1.0, at = 5.0 }]\n'
+    source = Source("answers.mnt", text)
+    found = improver_of(source, read_machine(Source("answers.machine.toml", world + LIMITS))).improved()
+    assert [each.literal.address for each in found.edits] == ["SPEED[0]@1", "ACCEL[0]@1", "DECEL[0]@1"]
+    assert not [each for each in found.waits if "belongs to piece" in each]
