@@ -16,6 +16,7 @@ from motionlang.commands.sweep.job import Problem, Result, SweepJob, worker_of
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
+from motionlang.kernel.lang import is_key_of_entries
 from motionlang.kernel.rows import RowTable, transposed
 from motionlang.processes.cores import cores
 
@@ -134,7 +135,8 @@ class Sweep:
         """Report the mistakes of every variant once, before any run."""
         values = self.space[0]
         for name, value in zip(self.space.names, values, strict=True):
-            problem = check_setting(name, value) if "." in name else None
+            is_setting = "." in name and not is_key_of_entries(name)
+            problem = check_setting(name, value) if is_setting else None
             if problem is not None:
                 raise ValueError("; ".join(problem))
         settings, given = self.job.of(values)

@@ -17,7 +17,7 @@ from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
-from motionlang.kernel.lang import layered
+from motionlang.kernel.lang import is_key_of_entries, layered, with_key_of_entries
 from motionlang.kernel.tools import missing
 
 # A variant by its number and its values; a row by its number, its results, and its error.
@@ -72,10 +72,12 @@ class SweepJob:
             if name in self.worlds:
                 world = self.worlds[name][str(value)]
                 settings = dict(world) if name == MACHINE else layered(settings, world)
-        changed = {name: v for name, v in zip(self.names, values, strict=True) if "." in name}
-        settings = {**settings, **changed} if changed else settings
         for name, value in zip(self.names, values, strict=True):
-            if "." not in name and name not in self.worlds:
+            if is_key_of_entries(name):
+                settings = with_key_of_entries(settings, name, value)
+            elif "." in name:
+                settings = {**settings, name: value}
+            elif name not in self.worlds:
                 overrides[name] = value if isinstance(value, str) else float(value)  # type: ignore[arg-type]
         return settings, overrides
 

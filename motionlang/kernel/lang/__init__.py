@@ -31,7 +31,9 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.keys import MAX_AXES as MAX_AXES
     from motionlang.kernel.lang.machine.keys import REQUIRED as REQUIRED
     from motionlang.kernel.lang.machine.keys import TABLES as TABLES
+    from motionlang.kernel.lang.machine.layers import is_key_of_entries as is_key_of_entries
     from motionlang.kernel.lang.machine.layers import layered as layered
+    from motionlang.kernel.lang.machine.layers import with_key_of_entries as with_key_of_entries
     from motionlang.kernel.lang.machine.machine import ASSUMPTIONS as ASSUMPTIONS
     from motionlang.kernel.lang.machine.machine import CONSOLE as CONSOLE
     from motionlang.kernel.lang.machine.switch import switch as switch
@@ -93,7 +95,7 @@ PUBLIC = {
     "literals": "Literal canonical number number_text replaced revalued",
     "machine.file": "read_toml first_mistake generic",
     "machine.entries": "Given check_inputs_are_read",
-    "machine.layers": "layered",
+    "machine.layers": "is_key_of_entries layered with_key_of_entries",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
     "structure": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",

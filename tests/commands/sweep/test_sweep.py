@@ -376,3 +376,28 @@ def test_a_register_of_commands_is_varied() -> None:
     source = Source("r.mcl", "1MN\n1SV10,1SA100,1SD100\n1MR@5,1WS0\n1TP\n")
     rows = motionlang.sweep(source, {"R5": [3.0, 40.0, 3.0]}, keep=["prints.1"], jobs=1)
     assert [row["prints.1"] for row in rows] == ["01 3", "01 40", "01 3"]
+
+
+def test_a_key_of_the_entries_of_a_channel_is_varied() -> None:
+    """The moves take as long whatever the operator does; the run takes longer."""
+    text = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nPAUSE INX(1)\nMOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
+    machine = {
+        "input": [{"channel": 1, "asked": 0.5}, {"channel": 1, "at": 9.0}, {"channel": 2, "asked": 0.1}]
+    }
+    source = Source("waits.mnt", text)
+    found = motionlang.sweep(source, {"input.1.asked": [0.2, 0.7]}, machine=machine, jobs=1)
+    assert [(each["input.1.asked"], round(each["time"], 3)) for each in found] == [(0.2, 1.3), (0.7, 1.8)]
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("input.1.for", r"no \[\[input\]\] of channel 1 in the machine file has for"),
+        ("netdata.3.asked", r"no \[\[netdata\]\] of element 3 in the machine file has asked"),
+        ("input.1.0.asked", "there is no key input.1.0.asked"),
+    ],
+)
+def test_a_key_that_no_entry_has_is_rejected(name: str, why: str) -> None:
+    machine = {"input": [{"channel": 1, "asked": 0.5}]}
+    with pytest.raises(ValueError, match=why):
+        motionlang.sweep(STROKE, {name: [0.2]}, machine=machine)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.keys import ABOUT, NAMED, STOPS
+from motionlang.kernel.lang.machine.keys import ABOUT, DRIVES, NAMED, STOPS
 from motionlang.kernel.tools import nearest
 
 Entry = Mapping[str, object]
@@ -32,6 +32,28 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
             value = [each for each in under if not any(_replaces(key, e, each) for e in value)] + value
         out[key] = value
     return out
+
+
+def is_key_of_entries(name: str) -> bool:
+    """True for the name of a key in entries of a channel, such as `input.3.asked`."""
+    parts = name.split(".")
+    return len(parts) == 3 and bool(DRIVES.get(parts[0], ("", ""))[1]) and parts[1].isdecimal()
+
+
+def with_key_of_entries(settings: Mapping[str, object], name: str, value: object) -> dict[str, object]:
+    """Return settings with another value of a key in all entries of a channel that have it.
+
+    `input.3.asked` is the key `asked` of the entries `[[input]]` of channel 3. Raises ValueError if none has it.
+    """
+    table, number, key = name.split(".")
+    entries: list[Entry] = settings.get(table, [])  # type: ignore[assignment]
+    changed = [
+        {**each, key: value} if each[DRIVES[table][1]] == int(number) and key in each else each
+        for each in entries
+    ]
+    if all(each is old for each, old in zip(changed, entries, strict=True)):
+        raise ValueError(f"no [[{table}]] of {DRIVES[table][1]} {number} in the machine file has {key}")
+    return {**settings, table: changed}
 
 
 def _with_channel(table: str, entry: Entry, below: object) -> Entry:
