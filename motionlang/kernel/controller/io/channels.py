@@ -56,6 +56,11 @@ class Channels:
             self.observer(self.table, channel)
         return self._values.get(channel, 0)
 
+    def note_read(self, channel: int) -> None:
+        """Call the observer of a channel of which the program reads something else, such as an edge."""
+        if self.observer is not None:
+            self.observer(self.table, channel)
+
     def present(self, channel: int) -> float:
         """Return the value of a channel for the world; the program reads nothing."""
         return self._values.get(channel, 0)

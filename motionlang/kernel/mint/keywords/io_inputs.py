@@ -114,6 +114,7 @@ class Inputs:
         """Return the state of an input, or its latched edge, which the read clears."""
         if not self._bit("INPUTMODE", channel):
             return self.is_on(channel)
+        self._controller.inputs.note_read(channel)
         found = channel in self._edges
         if found:
             self._edges.discard(channel)
