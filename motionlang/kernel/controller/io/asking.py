@@ -45,6 +45,8 @@ if TYPE_CHECKING:
 MAX_GAP = 1.2
 # A statement that reads so often, with the same result, polls; the event is scheduled at the second read.
 MIN_READS, MIN_SCHEDULED = 3, 2
+# Of so many queries that poll for a value, those of tasks that have ended are dropped.
+MANY = 8
 # A condition of more inputs, or one that needs more changes at once, is not analysed.
 MAX_INPUTS, MAX_CHANGES = 8, 3
 # The device of each table with channels, and the key of its number.
@@ -258,6 +260,8 @@ class Asking:
         starter, before, now = self._starters.get(a), a.profiles[-1], self._clock.now
         if starter is None or not (now <= a.starts[-1] + before.duration or before.end_velocity):
             starter = self._starters[a] = tasks.current
+            if starter not in self._starts:
+                self._starts = {task: time for task, time in self._starts.items() if not task.done}
         self._starts[starter] = now
 
     def _is_moving(self, task: object) -> bool:
@@ -288,6 +292,9 @@ class Asking:
             query = responder.waits[task] = Query(task, wait, value, now, wait.ready)
             self._schedule(responder, query)
         else:
+            if len(responder.polls) >= MANY:  # each call of a handler is another task
+                for each in [each for each in responder.polls.values() if each.task.done]:
+                    responder.drop(each)
             condition = task.condition()
             responder.polls[task, stack] = Query(task, None, value, now, condition, stack)
 
