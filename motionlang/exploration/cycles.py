@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from motionlang.exploration.changes import Channel
@@ -23,10 +23,14 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
 MOVE, OUTPUT = 3.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
+# Work without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
+JOGGING = 5.0
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, takes less
 # time, s, and says less of what is wrong.
 KEPT, SWITCHED, SECOND, WRONG = 0.0001, 0.001, 0.001, 20.0
 _WRONG = re.compile(r"bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out", re.IGNORECASE)
+# States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
+Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
 FASTER = 0.95
 
@@ -63,7 +67,9 @@ def cycles(nodes: Mapping[RestState | None, StateNode], work: Iterable[Work]) ->
     """
     moved = (node.first.moved for node in nodes.values() if not node.first.timeline)
     at_start = frozenset[int]().union(*moved)
-    found = [*_loops(nodes, at_start), *_runs(nodes, at_start), *_without_rest(work)]
+    # The states that a person leaves, and those that only end by themselves.
+    left = {state for state, node in nodes.items() if any(map(_is_done, node.transitions))}
+    found = [*_loops(nodes, at_start, left), *_runs(nodes, at_start, left), *_without_rest(work)]
     best: dict[object, MachineCycle] = {}
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
@@ -72,7 +78,15 @@ def cycles(nodes: Mapping[RestState | None, StateNode], work: Iterable[Work]) ->
     return list(best.values())
 
 
-def _loops(nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int]) -> Iterator[MachineCycle]:
+def _is_done(each: Transition) -> bool:
+    """True if a person does something that leads on, and to nothing that is wrong."""
+    said = (act.words for act in each.acts if not act.subject)
+    return not each.is_by_itself and not each.is_cut and each.target != each.source and not wrong(said)
+
+
+def _loops(
+    nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int], left: Left
+) -> Iterator[MachineCycle]:
     """Yield the loops of transitions; `at_start` are the lines that move an axis before any change."""
     count = 0
     for start, node in nodes.items():
@@ -86,13 +100,13 @@ def _loops(nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int]
             for each in nodes[here].transitions if here in nodes else ():
                 if each.target == start:
                     count += 1
-                    yield from _loop((*path, each), node, at_start)
+                    yield from _loop((*path, each), node, at_start, left)
                 elif each.target is not None and each.target not in on_path and len(path) + 1 < MAX_LENGTH:
                     paths.append((*path, each))
 
 
 def _loop(
-    transitions: tuple[Transition, ...], node: StateNode, at_start: frozenset[int]
+    transitions: tuple[Transition, ...], node: StateNode, at_start: frozenset[int], left: Left
 ) -> Iterator[MachineCycle]:
     """Yield a loop with changes; what is only known of a later visit is a loop that begins there."""
     first, is_later = transitions[0], any(each.is_later for each in transitions)
@@ -102,10 +116,12 @@ def _loop(
     work = _work(transitions)
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
-        yield MachineCycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start))
+        yield MachineCycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start, left))
 
 
-def _runs(nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int]) -> Iterator[MachineCycle]:
+def _runs(
+    nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int], left: Left
+) -> Iterator[MachineCycle]:
     """Yield the runs that end after a piece; all changes that lead there are changes of the cycle."""
     for node in nodes.values():
         for each in node.transitions:
@@ -113,7 +129,7 @@ def _runs(nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int])
                 lines = (*sorted(node.moved - set(each.lines)), *each.lines)
                 work = each.work | each.visit.moved
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
-                value = _value((each,), each.visit, work - at_start) - CHANGE * changes - WHOLE_RUN
+                value = _value((each,), each.visit, work - at_start, left) - CHANGE * changes - WHOLE_RUN
                 yield MachineCycle((each,), each.visit, lines, work, value)
 
 
@@ -126,7 +142,7 @@ def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
             fastest[work.lines] = work
     for work in fastest.values():
         value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
-        value -= WRONG * bool(wrong(work.said))
+        value -= WRONG * bool(wrong(work.said)) + JOGGING * (not work.outputs and not work.said)
         yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 
@@ -139,7 +155,7 @@ def wrong(said: Iterable[str]) -> int:
     return sum(len(_WRONG.findall(each)) for each in said)
 
 
-def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[int]) -> float:
+def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[int], left: Left) -> float:
     """Return the likelihood that a person names a cycle.
 
     An input that has one level in all of the cycle is no change that anybody makes.
@@ -155,7 +171,11 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         answers = sum(one.table == "answer" for one in made)
         value -= CHANGE * (len(made) - answers) + ANSWER * answers
         value -= TOGETHER * max(len(each.causes) - answers - 1, 0) + KEPT * (len(each.causes) - len(made))
-        value -= BY_ITSELF * each.is_by_itself + CUT * each.is_cut + SECOND * each.seconds
+        value -= (
+            BY_ITSELF * (each.is_by_itself and each.source in left)
+            + CUT * each.is_cut
+            + SECOND * each.seconds
+        )
         value -= STATE * (not answers)
     said = (act.words for each in transitions for act in each.acts if not act.subject)
     return value + STATE - SWITCHED * len(outputs) - WRONG * bool(wrong(said))

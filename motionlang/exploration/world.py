@@ -88,7 +88,8 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     best: tuple[int, MachineCycle, Trial] | None = None
     for cycle in likeliest[:PLAYED]:
         trial = played(explorer, cycle, times=times)
-        if 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
+        has_level = any(each.table == "analogue" for _, each in trial.timeline)
+        if has_level and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
             back = played(explorer, cycle, times=times, goes_back=True)
             trial = max(trial, back, key=lambda each: _count(cycle, each))
         if best is None and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
