@@ -231,19 +231,14 @@ def compare(
     if there is nothing to compare, ValueError for a wrong mapping, OSError if a file cannot be read, and the errors of
     `run`.
     """
-    from motionlang.commands.compare.comparison import Mapped, compare
+    from motionlang.commands.compare.baseline import baseline_of, read_compared
+    from motionlang.commands.compare.comparison import compare
+    from motionlang.commands.recording import mapped, read_file, table_of
 
-    made = []
-    for target, column in (mapping or {}).items():
-        name, star, factor = column.rpartition("*")
-        try:
-            made.append(
-                Mapped(target, name.strip(), float(factor)) if star else Mapped(target, column.strip(), None)
-            )
-        except ValueError:
-            raise ValueError(f"{column!r}: {factor!r} is not a number to multiply by") from None
-    table = recording if isinstance(recording, Source) else Source.read(recording)
-    return compare(_run_of(program), table, made, tolerances=tolerances, delay=delay)
+    made = [mapped(f"{target}={column}") for target, column in (mapping or {}).items()]
+    table = table_of(recording) if isinstance(recording, Source) else read_file(os.fspath(recording))
+    baseline = baseline_of(_run_of(program))
+    return compare(baseline, read_compared(table, made, baseline), tolerances=tolerances, delay=delay)
 
 
 def certify(program: Program | Run) -> list[CertifiedLimit]:

@@ -14,12 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import fsum, log
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel import Trace
 from motionlang.kernel.planners import summit
 
 Array = NDArray[np.float64]
@@ -35,14 +34,29 @@ TIE_FACTOR, TIE_SHARE = 1.01, 1e-6
 STILL = 1e-9
 
 
+class ComparedMotion(Protocol):
+    """The motion with which a recording is compared, from 0 to `end`, s."""
+
+    @property
+    def end(self) -> float: ...
+
+    def at(self, axis: int, quantity: str, times: Array) -> Array:
+        """Return a quantity of an axis in user units at any `times`, in s."""
+        ...
+
+
 class Signal(NamedTuple):
-    """One measured quantity of one axis in user units, at `times` (s), without NaN."""
+    """One measured quantity of one axis in user units, at `times` (s), without NaN.
+
+    The values of `events` are points, not a track.
+    """
 
     axis: int
     quantity: str
     column: str
     times: Array
     values: Array
+    events: bool = False
 
     @property
     def name(self) -> str:
@@ -50,12 +64,12 @@ class Signal(NamedTuple):
         return f"{self.quantity}.{self.axis}"
 
 
-def simulated(trace: Trace, signal: Signal, times: Array) -> Array:
+def simulated(trace: ComparedMotion, signal: Signal, times: Array) -> Array:
     """Return the run's values at `times` (s), constant before and after it."""
     return trace.at(signal.axis, signal.quantity, np.clip(times, 0.0, trace.end))
 
 
-def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
+def find_delay(trace: ComparedMotion, signals: Sequence[Signal]) -> float | None:
     """Return the delay of the recording after the run in seconds, or None.
 
     The delay is None if nothing moves in the recording or in the run.
@@ -70,18 +84,18 @@ def find_delay(trace: Trace, signals: Sequence[Signal]) -> float | None:
     return _refined(trace, _thinned(signals, FINE), delays[0], step)
 
 
-def find_delay_near(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
+def find_delay_near(trace: ComparedMotion, signals: Sequence[Signal], delay: float) -> float:
     """Return the best delay within two steps of the recording of `delay`, s."""
     step = min(float(np.median(np.diff(signal.times))) for signal in signals)
     return _refined(trace, _thinned(signals, FINE), delay, step)
 
 
-def _refined(trace: Trace, signals: Sequence[Signal], delay: float, step: float) -> float:
+def _refined(trace: ComparedMotion, signals: Sequence[Signal], delay: float, step: float) -> float:
     """Return the best delay within two grid steps of `delay`."""
     return summit(lambda each: -_misfit(trace, signals, each), delay - 2.0 * step, delay + 2.0 * step)
 
 
-def _likeliest(trace: Trace, signals: Sequence[Signal], delays: Sequence[float]) -> float:
+def _likeliest(trace: ComparedMotion, signals: Sequence[Signal], delays: Sequence[float]) -> float:
     """Return the delay that fits best; among equal ones the one with scales nearest 1."""
     misfits = [_misfit(trace, signals, delay) for delay in delays]
     worst = TIE_FACTOR * min(misfits) + TIE_SHARE * len(signals)
@@ -89,7 +103,7 @@ def _likeliest(trace: Trace, signals: Sequence[Signal], delays: Sequence[float])
     return min(tied, key=lambda each: (_unlikeness(trace, signals, each[1]), each[0]))[1]
 
 
-def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) -> float | None:
+def lag(trace: ComparedMotion, signal: Signal, delay: float, begin: float, end: float) -> float | None:
     """Return the lag of a signal behind the run between two times, s, or None.
 
     The lag is computed to first order. It is None at rest.
@@ -105,7 +119,7 @@ def lag(trace: Trace, signal: Signal, delay: float, begin: float, end: float) ->
     return -float(residual @ slope) / energy if energy > 0.0 else None
 
 
-def _coarse(trace: Trace, signals: Sequence[Signal]) -> tuple[list[float], float] | None:
+def _coarse(trace: ComparedMotion, signals: Sequence[Signal]) -> tuple[list[float], float] | None:
     """Return the likeliest delays to about one grid step, and that step, or None.
 
     The result is None if nothing moves in the recording or in the run.
@@ -129,7 +143,7 @@ def _coarse(trace: Trace, signals: Sequence[Signal]) -> tuple[list[float], float
     return ([first - float(run_times[k]) for k in best], step) if len(best) else None
 
 
-def _explained(trace: Trace, signal: Signal, recorded: Array, run_times: Array) -> Array:
+def _explained(trace: ComparedMotion, signal: Signal, recorded: Array, run_times: Array) -> Array:
     """Return the share of a signal's variance that the run explains, by delay.
 
     Each of `run_times` is one delay: the time of the run at which `recorded[0]` was measured.
@@ -156,7 +170,7 @@ def _explained(trace: Trace, signal: Signal, recorded: Array, run_times: Array) 
     return np.clip(shared**2 / np.where(moves, spread * energy, np.inf), 0.0, 1.0)
 
 
-def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
+def _misfit(trace: ComparedMotion, signals: Sequence[Signal], delay: float) -> float:
     """Return the total share of the signals' variance that remains after the fit."""
     total = 0.0
     for values, expected in _pairs(trace, signals, delay):
@@ -166,14 +180,14 @@ def _misfit(trace: Trace, signals: Sequence[Signal], delay: float) -> float:
     return total
 
 
-def _unlikeness(trace: Trace, signals: Sequence[Signal], delay: float) -> tuple[int, float]:
+def _unlikeness(trace: ComparedMotion, signals: Sequence[Signal], delay: float) -> tuple[int, float]:
     """Return the count of reversed signs, and how far scales are from 1, to a percent."""
     scales = [fit(expected, values)[0] for values, expected in _pairs(trace, signals, delay)]
     reversals = [scale for scale in scales if scale <= 0.0]
     return len(reversals), round(fsum(abs(log(abs(scale))) for scale in scales if scale), 2)
 
 
-def _pairs(trace: Trace, signals: Sequence[Signal], delay: float) -> Iterator[tuple[Array, Array]]:
+def _pairs(trace: ComparedMotion, signals: Sequence[Signal], delay: float) -> Iterator[tuple[Array, Array]]:
     """Yield each signal's measured values, minus their mean, and the run's values."""
     for signal in signals:
         values = signal.values - signal.values.mean()

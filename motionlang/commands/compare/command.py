@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from math import inf
 from typing import ClassVar
 
-from motionlang.cli.command import argument, option
+from motionlang.cli.command import WrongOption, argument, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.option_groups import ProgramOptions
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.compare.options import Compared
+from motionlang.commands.compare.options import Compared, is_recording
 from motionlang.kernel import run
 
 
@@ -28,14 +28,15 @@ def tolerance(text: str) -> tuple[str, float]:
 
 @dataclass
 class Compare(Compared, ProgramOptions):
-    """Compare a recording from a real controller with the run."""
+    """Compare a recording from a real controller with the run, or with another recording."""
 
     title: ClassVar[str] = "comparison"
     epilog: ClassVar[str] = """\
 Use --map to assign the columns of the recording: one to time, the others to a
 quantity and an axis. *FACTOR converts a column to seconds or user units.
 Columns with the names of a trace need no --map. The delay is fitted by least
-squares; scale, offset and lag are reported but not removed.
+squares; scale, offset and lag are reported but not removed. The first line says
+what was read: rows, times, gaps, columns.
 
 exit status: 0 within the tolerance; 1 tolerance exceeded, or nothing to
 compare; 2 the command line is invalid
@@ -44,8 +45,9 @@ examples:
   motionlang compare pick.mnt drive.csv --map time=t*0.001 \\
       --map position.0=PosAct --tolerance position=0.05uu
   motionlang compare pick.mnt scope.txt --map position.0=3 --plot both.html
+  motionlang compare monday.csv friday.csv    two recordings of one machine
 """
-    file: str = argument("FILE", "the program")
+    file: str = argument("FILE", "the program, or an older recording")
     recording: str = argument(
         "REC", "the recording, as columns of text, Parquet or MCAP; - reads standard input"
     )
@@ -57,6 +59,12 @@ examples:
     )
 
     def run(self) -> int:
+        if self.lang is None and is_recording(self.file):
+            if self.set or self.machine is not None or self.until is not None:
+                raise WrongOption(
+                    "--set, --machine and --until need a program, and both files are recordings"
+                )
+            return self.compare_with(self.file, self.recording, dict(self.tolerance))
         source, language = self.source(), self.known_language()
         result = run(
             source,

@@ -7,41 +7,31 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import Signal, find_delay, find_delay_near, fit, lag, simulated
+from motionlang.commands.compare.alignment import (
+    ComparedMotion,
+    Signal,
+    find_delay,
+    find_delay_near,
+    fit,
+    lag,
+    simulated,
+)
+from motionlang.commands.compare.baseline import Baseline, Row, signals_of
 from motionlang.commands.compare.differences import scale_remarks, stroke_remarks, unrecorded_remarks
-from motionlang.commands.compare.recording import read_table, seconds, time_column, usable_rows
 from motionlang.commands.compare.strokes import SAME_SHARE, Matched, is_explained, match
-from motionlang.kernel import Diagnostic, ProgramError, Run, Source, Trace
-from motionlang.kernel.report import moves as moves_of
-from motionlang.kernel.tracks import MOTOR, UNITS
+from motionlang.commands.recording import Recording
+from motionlang.kernel import Diagnostic, ProgramError
 
 Array = NDArray[np.float64]
 
-Row = dict[str, Any]
-
-# A recorded motor's position is compared with its commanded position.
-QUANTITIES = (*UNITS, "actual")
 # Seconds after an end in which a motor overshoots, and the share of the variance that least squares may leave in a
 # signal whose scale they give.
 AFTER, UNEXPLAINED = 0.5, 1e-3
-# A time step this many times the usual one is a gap.
-GAP = 3.5
-
-
-class Mapped(NamedTuple):
-    """The meaning of a column: `target` "time" or "position.0", and a `factor`.
-
-    The factor converts the numbers of the column to seconds or user units.
-    """
-
-    target: str
-    column: str
-    factor: float | None
 
 
 class Comparison(NamedTuple):
@@ -50,7 +40,8 @@ class Comparison(NamedTuple):
     The rows are those of the report.
     """
 
-    run: Run
+    baseline: Baseline
+    recording: Recording
     delay: float
     found: list[Signal]
     signals: list[Row]
@@ -65,20 +56,21 @@ class Comparison(NamedTuple):
 
 
 def compare(
-    run: Run,
-    source: Source,
-    mapping: Sequence[Mapped] = (),
+    baseline: Baseline,
+    recording: Recording,
     *,
     tolerances: Mapping[str, float] | None = None,
     delay: float | None = None,
 ) -> Comparison:
-    """Compare the recording in `source` with `run`.
+    """Compare a recording with a run, or with another recording.
 
     `tolerances` has the largest allowed residual, in user units, by "position.0" or "position". If `delay`
     (s) is None it is computed from the data. Raises ProgramError if there is nothing to compare.
     """
-    found, remarks = _signals(run, source, mapping)
-    trace = run.trace
+    found, remarks, trace = signals_of(recording), list(recording.remarks), baseline.motion
+    if baseline.run is None:  # both count from their first row
+        first_row = float(recording.times[0])
+        found = [each._replace(times=each.times - first_row) for each in found]
     matches = [match(trace, signal) for signal in found]
     known = _matches_with_zero(found, matches)
     first = min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin, default=None)
@@ -93,12 +85,12 @@ def compare(
     if fitted is None:
         raise ProgramError.of(
             "recording",
-            "cannot align in time: nothing moves in the run or in the recording",
+            f"cannot align in time: nothing moves in {baseline.noun} or in {recording.name}",
             hint="give the delay of the recording with --delay S",
         )
     delay = fitted
-    compared = _Compared(run, delay, tolerances or {})
-    rows: list[Row] = list(moves_of(run))
+    compared = _Compared(trace, delay, tolerances or {})
+    rows = baseline.moves
     signals = []
     strokes: dict[int, Matched] = {}
     moves = []
@@ -108,7 +100,7 @@ def compare(
         if matched is not None and signal.axis not in strokes:
             strokes[signal.axis] = matched
             own = [row for row in rows if row["axis"] == signal.axis]
-            remarks += stroke_remarks(signal.name, matched, delay, own)
+            remarks += stroke_remarks(signal.name, matched, delay, own, baseline.noun)
     axes = set()
     for signal, matched in zip(found, matches, strict=True):
         own_strokes = strokes.get(signal.axis)
@@ -119,11 +111,9 @@ def compare(
         if signal.axis not in axes and row["points"]:
             axes.add(signal.axis)
             begin, end = float(signal.times[0]) - delay, float(signal.times[-1]) - delay
-            remarks += unrecorded_remarks(signal.name, compared_moves, begin, end)
-        remarks += scale_remarks(
-            row, signal.quantity, matched, trace.controller.axes[signal.axis].scale.counts
-        )
-    return Comparison(run, delay, found, signals, moves, remarks)
+            remarks += unrecorded_remarks(signal.name, compared_moves, begin, end, baseline.noun)
+        remarks += scale_remarks(row, signal.quantity, matched, baseline.counts[signal.axis], baseline.noun)
+    return Comparison(baseline, recording, delay, found, signals, moves, remarks)
 
 
 def _matches_with_zero(found: Sequence[Signal], matches: Sequence[Matched | None]) -> list[Matched]:
@@ -133,7 +123,12 @@ def _matches_with_zero(found: Sequence[Signal], matches: Sequence[Matched | None
 
 
 def _is_explained(
-    trace: Trace, found: Sequence[Signal], matches: Sequence[Matched | None], delay: float, *, given: bool
+    trace: ComparedMotion,
+    found: Sequence[Signal],
+    matches: Sequence[Matched | None],
+    delay: float,
+    *,
+    given: bool,
 ) -> bool:
     """True if the run at a delay explains all signals.
 
@@ -149,96 +144,14 @@ def _is_explained(
     return True
 
 
-# ------------------------------------------------------------------------------------------ columns
-
-
-def _signals(run: Run, source: Source, mapping: Sequence[Mapped]) -> tuple[list[Signal], list[Diagnostic]]:
-    table = read_table(source)
-    remarks = list(table.remarks)
-    named = {each.target: each for each in mapping}
-    clock = named.pop("time", None)
-    name = time_column(table, source, clock.column if clock else None)
-    times = seconds(table, name, clock.factor if clock else None)
-    rows, more = usable_rows(times, table)
-    remarks += more
-    if not named:
-        named = {each.target: each for each in own_columns(table.columns)}
-    if not named:
-        raise ProgramError.of(
-            "recording",
-            f"the columns of {source.name} are not assigned",
-            hint=f"--map position.0=NAME; its columns are {', '.join(table.columns)}",
-        )
-    found = []
-    remarks += [table.doubts[name]] if name in table.doubts else []
-    for target, each in named.items():
-        quantity, axis = _target(run, target)
-        column = table.find(each.column, source)
-        remarks += [table.doubts[column]] if column in table.doubts else []
-        values = table.columns[column][rows] * (1.0 if each.factor is None else each.factor)
-        good = np.isfinite(values)
-        if good.sum() < 3:
-            raise ProgramError.of("recording", f"{column} has fewer than three numbers that can be compared")
-        found.append(Signal(axis, quantity, column, times[rows][good], values[good]))
-        remarks += _gaps(found[-1])
-    return found, remarks
-
-
-def _target(run: Run, target: str) -> tuple[str, int]:
-    quantity, _, axis = target.partition(".")
-    axes = run.controller.axes
-    if quantity not in QUANTITIES:
-        problem, hint = f"{quantity!r} is no quantity of an axis", f"one of {', '.join(QUANTITIES)}"
-    elif not axis.isdecimal() or int(axis) not in axes:
-        problem = f"{target!r} names no axis of this controller"
-        hint = f"{quantity}.{next(iter(axes))} is that of the first axis"
-    else:
-        return "position" if quantity == "actual" else quantity, int(axis)
-    raise ProgramError.of("recording", problem, hint=hint)
-
-
-def own_columns(columns: Mapping[str, Array]) -> Iterator[Mapped]:
-    """Yield the columns that are named like the columns of our own trace, or like what they can be assigned to.
-
-    The measured position precedes the commanded one.
-    """
-    made: dict[str, Mapped] = {}
-    suffixes = {f"{name}_{unit}": name for name, (_, unit) in (UNITS | MOTOR).items() if name in QUANTITIES}
-    for column in columns:
-        quantity, _, axis = column.partition(".")  # position.0
-        if quantity not in QUANTITIES:
-            first, _, rest = column.partition("_")  # axis0_position_uu
-            quantity, axis = suffixes.get(rest, ""), first.removeprefix("axis") if first[:4] == "axis" else ""
-        if axis.isdecimal() and quantity:
-            target = f"{'position' if quantity == 'actual' else quantity}.{axis}"
-            if quantity == "actual" or target not in made:
-                made[target] = Mapped(target, column, None)
-    yield from made.values()
-
-
-def _gaps(signal: Signal) -> Iterator[Diagnostic]:
-    steps = np.diff(signal.times)
-    usual = float(np.median(steps))
-    wide = steps > GAP * usual
-    if wide.any():
-        where = int(np.argmax(steps))
-        yield Diagnostic(
-            "recording",
-            f"{signal.column}: {int(wide.sum())} gap{'s' if wide.sum() > 1 else ''}, the longest {steps[where]:.6g} s "
-            f"from {signal.times[where]:.6g} s on",
-            severity="warning",
-            hint="the gaps are not compared",
-        )
-
-
 # ------------------------------------------------------------------------------------------ figures
 
 
 class _Compared:
     """One recording against one run, at one delay."""
 
-    def __init__(self, run: Run, delay: float, tolerances: Mapping[str, float]) -> None:
-        self._trace, self._delay, self._tolerances = run.trace, delay, tolerances
+    def __init__(self, trace: ComparedMotion, delay: float, tolerances: Mapping[str, float]) -> None:
+        self._trace, self._delay, self._tolerances = trace, delay, tolerances
 
     def signal(self, signal: Signal, matched: Matched | None, strokes: Matched | None) -> Row:
         """Return the figures of a signal over its whole length, whose axis has these strokes."""

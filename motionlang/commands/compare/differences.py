@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from math import isclose
@@ -22,29 +23,35 @@ USUAL = {
 }
 # A factor this close to a usual one is that one; the largest count of teeth of a gear that is named.
 NEAR, MAX_GEAR = 0.003, 5
+# A warning lists so many moves.
+MAX_LISTED = 9
 # Rates that differ by less than this share agree.
 RATE_SHARE = 0.05
 
 
-def unrecorded_remarks(signal: str, rows: Sequence[Row], begin: float, end: float) -> Iterator[Diagnostic]:
+def unrecorded_remarks(
+    signal: str, rows: Sequence[Row], begin: float, end: float, noun: str
+) -> Iterator[Diagnostic]:
     """Yield a warning if moves of an axis are outside of its recording, from `begin` to `end` of the run, s."""
     outside = [row for row in rows if row["peak"] is None and row["lag"] is None]
     if outside:
         first = outside[0]
         more = f" (and {count_of(len(outside) - 1, 'more move')})" if len(outside) > 1 else ""
         yield _warning(
-            f"{signal}, {first['command'] or 'move'} of line {first['line']}: not recorded{more}, "
-            f"the recording has {round(max(begin, 0.0), 3):g} s to {round(end, 3):g} s of the run",
+            f"{signal}, {_move(first)}: not recorded{more}, "
+            f"the recording has {round(max(begin, 0.0), 3):g} s to {round(end, 3):g} s of {noun}",
             "record from before the start of the program to its end, or give --delay",
         )
 
 
-def scale_remarks(row: Row, quantity: str, matched: Matched | None, counts: float) -> Iterator[Diagnostic]:
+def scale_remarks(
+    row: Row, quantity: str, matched: Matched | None, counts: float, noun: str
+) -> Iterator[Diagnostic]:
     """Yield what is wrong with the scale of a signal; `counts` are those of a user unit."""
     signal, column, scale = row["signal"], row["column"], row["scale"]
     if row["points"] == 0:
         yield _warning(
-            f"{signal}: no time of {column} lies within the run",
+            f"{signal}: no time of {column} lies within {noun}",
             "try another --delay, or another unit of time",
         )
     elif scale and abs(scale - 1.0) > SAME_SHARE and row["moves"]:
@@ -54,7 +61,7 @@ def scale_remarks(row: Row, quantity: str, matched: Matched | None, counts: floa
             travel = f" ({_size(pair.recorded.travel)} against {_size(pair.run.travel)} uu)"
         usual = usual_factor(scale, counts, quantity)
         yield _warning(
-            f"{signal}: {column} moves {scale:.6g} times as far as the run{travel}{usual and ': '}{usual}",
+            f"{signal}: {column} moves {scale:.6g} times as far as {noun}{travel}{usual and ': '}{usual}",
             f"if its unit differs: --map {signal}={column}*{1.0 / scale:.6g}",
         )
 
@@ -80,42 +87,66 @@ def usual_factor(scale: float, counts: float, quantity: str) -> str:
     return ""
 
 
-def stroke_remarks(signal: str, matched: Matched, delay: float, rows: Sequence[Row]) -> Iterator[Diagnostic]:
-    """Yield the differences of the strokes of an axis, whose moves are `rows`; those of a line only once."""
-    found: dict[tuple[str, str], list[str]] = {}
-    for text, hint in _differences(signal, matched, delay, rows):
-        found.setdefault((text.partition(":")[0], hint), []).append(text)
-    for (_, hint), texts in found.items():
-        yield _warning(texts[0] + (f" (and {len(texts) - 1} more)" if len(texts) > 1 else ""), hint)
+def stroke_remarks(
+    signal: str, matched: Matched, delay: float, rows: Sequence[Row], noun: str
+) -> Iterator[Diagnostic]:
+    """Yield the differences of the strokes of an axis, whose moves are `rows`: a warning for each kind, with a list."""
+    found: dict[str, list[tuple[str, str, str]]] = {}
+    for move, text, brief, hint in _differences(signal, matched, delay, rows, noun):
+        found.setdefault(hint, []).append((move, text, brief))
+    for hint, ((move, text, _), *others) in found.items():
+        listed = {
+            f"{name.rpartition(' of ')[2]}{name and ' '}{brief}" for name, _, brief in others if name != move
+        }
+        more = f" (and {len(others)} more{_listed(sorted(listed, key=_by_line))})" if others else ""
+        yield _warning(f"{signal}{move and ', '}{move}: {text}{more}", hint)
+
+
+def _by_line(text: str) -> tuple[float, str]:
+    number = re.search(r"\d+", text)
+    return float(number[0]) if number else 0.0, text
+
+
+def _listed(moves: Sequence[str]) -> str:
+    more = f"; and {len(moves) - MAX_LISTED} others" if len(moves) > MAX_LISTED else ""
+    return f": {'; '.join(moves[:MAX_LISTED])}{more}" if moves else ""
 
 
 def _differences(
-    signal: str, matched: Matched, delay: float, rows: Sequence[Row]
-) -> Iterator[tuple[str, str]]:
+    signal: str, matched: Matched, delay: float, rows: Sequence[Row], noun: str
+) -> Iterator[tuple[str, str, str, str]]:
+    """Yield the move, the difference, the same in brief, and the hint."""
     for stroke in matched.missing:
-        name, start = _name(signal, stroke, rows), round(stroke.begin, 3)
+        start = round(stroke.begin, 3)
         yield (
-            f"{name}: {_size(stroke.travel)} uu at {start:g} s are not recorded",
+            _name(stroke, rows),
+            f"{_size(stroke.travel)} uu at {start:g} s are not recorded",
+            f"at {start:g} s",
             "the controller skips this move, or executes another line",
         )
     for stroke in matched.extra:
-        travel = stroke.travel / matched.scale
+        travel, start = stroke.travel / matched.scale, round(stroke.begin - delay, 3)
         yield (
-            f"{signal}: {_size(travel)} uu at {round(stroke.begin - delay, 3):g} s are recorded, the run is at rest",
+            "",
+            f"{_size(travel)} uu at {start:g} s are recorded, {noun} is at rest",
+            f"{_size(travel)} uu at {start:g} s",
             "the program has no such move, or does not reach it",
         )
     for pair in matched.pairs:
-        name, length = _name(signal, pair.run, rows), _size(abs(pair.run.travel))
+        name, length = _name(pair.run, rows), _size(abs(pair.run.travel))
         if matched.has_other_travel(pair):
             travel = pair.recorded.travel / matched.scale
             yield (
-                f"{name}: recorded {_rate(travel / pair.run.travel)} times as far, "
-                f"{_size(abs(travel))} against {length} uu",
+                name,
+                f"recorded {_rate(travel / pair.run.travel)} times as far, {_size(abs(travel))} against {length} uu",
+                f"{_rate(travel / pair.run.travel)} times as far",
                 "compare the target of this move",
             )
         elif matched.has_other_time(pair):
             yield (
-                f"{name}: recorded the same {length} uu in {_times(matched.scale, pair)}",
+                name,
+                f"recorded the same {length} uu in {_times(matched.scale, pair)}",
+                f"in {_times(matched.scale, pair)}",
                 "compare speed, acceleration, deceleration and feed override",
             )
     for before, after in pairwise(matched.pairs):
@@ -123,7 +154,9 @@ def _differences(
         if change:
             when = f"{round(abs(change), 3):g} s {'later' if change > 0.0 else 'earlier'}"
             yield (
-                f"{_name(signal, after.run, rows)}: recorded {when}, counted from the move before",
+                _name(after.run, rows),
+                f"recorded {when}, counted from the move before",
+                when,
                 "compare what the program waits for between the moves",
             )
 
@@ -143,10 +176,16 @@ def _times(scale: float, pair: Pair) -> str:
     return text
 
 
-def _name(signal: str, stroke: Stroke, rows: Sequence[Row]) -> str:
-    """Return the signal with the command and the line of the move that begins a stroke."""
+def _name(stroke: Stroke, rows: Sequence[Row]) -> str:
+    """Return the command and the line of the move that begins a stroke."""
     begun = [row for row in rows if row["start_time"] <= stroke.begin + 1e-6]
-    return f"{signal}, {begun[-1]['command'] or 'move'} of line {begun[-1]['line']}" if begun else signal
+    return _move(begun[-1]) if begun else ""
+
+
+def _move(row: Row) -> str:
+    if not row["line"]:
+        return f"move at {round(row['start_time'], 3):g} s"
+    return f"{row['command'] or 'move'} of line {row['line']}"
 
 
 def _size(travel: float) -> str:

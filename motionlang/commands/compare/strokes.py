@@ -25,8 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import Signal, fit, simulated
-from motionlang.kernel import Trace
+from motionlang.commands.compare.alignment import ComparedMotion, Signal, fit, simulated
 
 Array = NDArray[np.float64]
 # A cost, and pairs of indices.
@@ -199,7 +198,7 @@ class SampledMotion(NamedTuple):
         )
 
 
-def is_explained(trace: Trace, signal: Signal, delay: float) -> bool:
+def is_explained(trace: ComparedMotion, signal: Signal, delay: float) -> bool:
     """True if a signal is that of the run at a delay, but for its noise, a scale and an offset."""
     if signal.quantity not in ("position", "velocity"):
         return True
@@ -210,7 +209,19 @@ def is_explained(trace: Trace, signal: Signal, delay: float) -> bool:
     return float(np.sqrt(np.mean(left**2))) <= allowed
 
 
-def match(trace: Trace, signal: Signal) -> Matched | None:
+def strokes_of(trace: ComparedMotion, signal: Signal) -> list[Stroke]:
+    """Return the strokes of a position, which is that of a motion, with their exact start and end."""
+    step = max(float(np.median(np.diff(signal.times))), trace.end / MAX_SAMPLES)
+    sampled = _recorded(signal, step)
+    window = None if sampled is None else _window(sampled)
+    if sampled is None or window is None:
+        return []
+    return [
+        _exact(trace, signal.axis, each, step) for each in _strokes(sampled.padded(2 * window), window)[0]
+    ]
+
+
+def match(trace: ComparedMotion, signal: Signal) -> Matched | None:
     """Return the strokes of a signal paired with those of the run, or None if it has none that are complete."""
     step = float(np.median(np.diff(signal.times)))
     span = max(float(signal.times[-1] - signal.times[0]), trace.end)
@@ -271,7 +282,7 @@ def _shift(pairs: Sequence[Pair], stroke: Stroke) -> float:
 
 def _recorded(signal: Signal, step: float) -> SampledMotion | None:
     """Return the position of a signal on a grid, None if it has none."""
-    if len(signal.times) < MIN_WINDOWS * MIN_WINDOW:
+    if signal.events or len(signal.times) < MIN_WINDOWS * MIN_WINDOW:
         return None
     times = np.arange(signal.times[0], signal.times[-1] + 0.5 * step, step)
     values = np.interp(times, signal.times, signal.values)
@@ -408,7 +419,7 @@ def _without_overshoots(
     return made, kept
 
 
-def _exact(trace: Trace, axis: int, stroke: Stroke, step: float) -> Stroke:
+def _exact(trace: ComparedMotion, axis: int, stroke: Stroke, step: float) -> Stroke:
     """Return a stroke of the run with its exact start and end."""
     sign = 1.0 if stroke.travel > 0.0 else -1.0
     begin = _edge(trace, axis, sign, stroke.reached(stroke.known[0], at_end=False), stroke.begin - step)
@@ -416,7 +427,7 @@ def _exact(trace: Trace, axis: int, stroke: Stroke, step: float) -> Stroke:
     return stroke._replace(begin=begin, end=end)
 
 
-def _edge(trace: Trace, axis: int, sign: float, moving: float, resting: float) -> float:
+def _edge(trace: ComparedMotion, axis: int, sign: float, moving: float, resting: float) -> float:
     """Return the time between `moving` and `resting` from which the velocity is not of that sign."""
     moving, resting = (float(np.clip(each, 0.0, trace.end)) for each in (moving, resting))
     for _ in range(40):

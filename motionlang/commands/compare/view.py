@@ -45,7 +45,8 @@ def comparison_document(made: Comparison, recording: str) -> Document:
         for phase in move["phases"]
     ]
     columns = (Column("signal"), Column("move"), Column("name"), *_peaks(phases), *_VERDICT)
-    values = {"program": made.run.source.name, "delay": made.delay, "within": made.is_within}
+    values: dict[str, object] = {"program": made.baseline.name, "read": made.recording.sentence}
+    values |= {"delay": made.delay, "within": made.is_within}
     tables = [moves_table(made.moves), signals_table(made.signals), Table("phases", columns, phases)]
     return Document([*tables, diagnostics_table((recording, each) for each in made.remarks)], values)
 
@@ -57,9 +58,12 @@ def render_comparison(
 
     If there are very many moves, only the worst are shown, unless `everything` is set.
     """
-    run = made.run
-    head = f"{styled(printable(run.source.name), 'bold', colour)} · {dialect_name(run.dialect.name)} · {outcome(run)}"
-    sections = [[head, _delay_text(made.delay)]]
+    run, baseline = made.baseline.run, made.baseline
+    name = styled(printable(baseline.name), "bold", colour)
+    head = printable(baseline.sentence)
+    if run is not None:
+        head = f"{name} · {dialect_name(run.dialect.name)} · {outcome(run)}"
+    sections = [[printable(made.recording.sentence), head, _delay_text(made.delay, baseline.noun)]]
     sections.append(signals_table(made.signals).lines(width, colour=colour))
     if made.moves:
         sections.append(_moves(made.moves, everything).lines(width, colour=colour))
@@ -69,11 +73,11 @@ def render_comparison(
     return "\n\n".join("\n".join(section) for section in sections) + "\n"
 
 
-def _delay_text(delay: float) -> str:
+def _delay_text(delay: float, noun: str) -> str:
     size = f"{abs(delay):.6f}"
     if not float(size):
-        return "the recording starts with the run"
-    return f"the recording is {size} s {'later' if delay > 0.0 else 'earlier'} than the run"
+        return f"the recording starts with {noun}"
+    return f"the recording is {size} s {'later' if delay > 0.0 else 'earlier'} than {noun}"
 
 
 def signals_table(rows: Sequence[Row]) -> Table:

@@ -25,7 +25,7 @@ from motionlang.cli.option_groups import (
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import integer
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.compare.options import Compared
+from motionlang.commands.compare.options import RECORDED, Compared, is_recording
 from motionlang.commands.diff.charged import Charge, charged
 from motionlang.commands.diff.golden import golden_files
 from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
@@ -38,15 +38,13 @@ from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
-from motionlang.kernel import Diagnostic, ProgramError, Run, dialect_of, read_machine, run
+from motionlang.kernel import Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import build
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour
 
 SCHEMA = "motionlang.diff/2"
-# The suffixes of a recording; any other file is a program or a report.
-RECORDED = (".csv", ".tsv", ".dat")
 
 # The name of a quantity, and its value in both runs.
 Kept = tuple[str, object, object]
@@ -117,10 +115,11 @@ class Diff(Compared, WorldOptions, A, B, Language):
     title: ClassVar[str] = "comparison"
     epilog: ClassVar[str] = """\
 A and B are programs, or reports written by `run --format json`. B may also be a
-recording from a real controller, in columns; it is compared with the run of A
-as in `compare`. Without B, A is compared with its golden files, or with itself
-under --set-b, --machine-b or --variant-b. Moves, prints and events are aligned
-by content, so an inserted program line is no difference.
+recording from a real controller, in columns; it is compared with the run of A,
+or with A as an older recording, as in `compare`. Without B, A is compared with
+its golden files, or with itself under --set-b, --machine-b or --variant-b.
+Moves, prints and events are aligned by content, so an inserted program line is
+no difference.
 
 exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 
@@ -155,7 +154,7 @@ examples:
         other = self.b
         if other is None and self._has_own_b():
             other = self.a
-        if other is not None and other.lower().endswith(RECORDED) and dialect_of(other) is None:
+        if other is not None and is_recording(other):
             return self._recorded(other, tolerance)
         if self.map or self.delay is not None:
             raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
@@ -221,10 +220,10 @@ examples:
         return any(own) or self.variant_b is not None
 
     def _recorded(self, path: str, tolerance: Tolerance) -> int:
-        """Compare a run with a recording and return the exit status."""
+        """Compare a run, or an older recording, with a recording and return the exit status."""
         if self.a.lower().endswith(".json"):
             raise WrongOption("a recording is compared with a program, but A is a report")
-        result = self._side("a", self.a)[1]
+        result = self.a if is_recording(self.a) else self._side("a", self.a)[1]
         assert result is not None
         sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
         return self.compare_with(result, path, {name: size for name, size in sizes.items() if size})

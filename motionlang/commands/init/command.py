@@ -42,9 +42,9 @@ from motionlang.kernel.tools import count_of, nearest, need
 from motionlang.views.progress import Progress
 
 if TYPE_CHECKING:  # which need numpy
-    from motionlang.commands.compare.comparison import Mapped
     from motionlang.commands.init.recorded.drafting import Measured
     from motionlang.commands.init.recorded.recording import MeasuredRecording
+    from motionlang.commands.recording import Mapped
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
@@ -220,16 +220,17 @@ examples:
     def _in_recording(self, question: Callable[[MeasuredRecording], Answer]) -> Answer:
         """Return the answer to a question about the recording; raise Refused if it is none."""
         need("--recording", "numpy")
-        from motionlang.commands.init.recorded.recording import read_recording
+        from motionlang.commands.init.recorded.recording import measured_recording
 
         path = self.recording or ""
-        source = recorded(path)
+        table = recorded(path)
         try:
-            recording = read_recording(source, self.map)
-            complain(recording.remarks, source, path)
+            recording = measured_recording(table, self.map)
+            sys.stderr.write(f"{recording.sentence}\n")
+            complain(recording.remarks, table.source, path)
             return question(recording)
         except ProgramError as error:
-            raise Refused(error.diagnostics, source=source, file=path) from None
+            raise Refused(error.diagnostics, source=table.source, file=path) from None
 
     def _update(self, program: Program, path: str) -> int:
         """Print what the recording changes in a machine file, write it on request, and return the exit status."""

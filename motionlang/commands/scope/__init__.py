@@ -74,7 +74,8 @@ def write_scope(
 def write_comparison(made: Comparison, path: str) -> None:
     """Write the page of a run with the measured curves drawn over it; raise OSError."""
     measured = [(each.axis, each.quantity, each.times - made.delay, each.values) for each in made.found]
-    text = page(made.run, measured=measured)
+    assert made.baseline.run is not None
+    text = page(made.baseline.run, measured=measured)
     with replacing(path) as file:
         file.write(text.encode("utf-8"))
 

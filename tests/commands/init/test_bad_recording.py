@@ -79,7 +79,7 @@ def test_lost_rows(cell: Cell) -> None:
     for row in (300, 900, 1500):
         kept[row : row + 60] = False
     ran = init(cell, {name: values[kept] for name, values in columns().items()})
-    assert "warning[recording]: 3 gaps, the longest 0.3" in ran.err
+    assert "every 0.005 s, 3 gaps (0.3" in ran.err
     assert entries(cell, 1) == [{"channel": 1, "output": 1, "value": 0, "delay": 0.15}]
     assert "every" in entries(cell, 0)[0]
 

@@ -8,7 +8,6 @@ taken out.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -17,15 +16,16 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.comparison import GAP, Mapped, own_columns
-from motionlang.commands.compare.recording import (
-    RecordedColumns,
-    read_table,
-    seconds,
-    time_column,
-    usable_rows,
+from motionlang.commands.recording import (
+    CHANNELS,
+    GAP,
+    Mapped,
+    RecordedSignal,
+    RecordedTable,
+    Recording,
+    read_recording,
 )
-from motionlang.kernel import Diagnostic, ProgramError, Source
+from motionlang.kernel import Diagnostic, ProgramError
 from motionlang.kernel.tools import count_of
 
 Array = NDArray[np.float64]
@@ -34,6 +34,8 @@ Array = NDArray[np.float64]
 BOUNCE = 0.02
 # A channel is digital if at most this share of its values lies between its two levels.
 BETWEEN = 0.05
+# Levels that differ by less are one level and its noise.
+LEVELS = 0.5
 # A step of a position is a new zero if it is so many times as large as the steps around it.
 STEP = 8.0
 # An axis moves above this share of its largest speed. The slope of its position has this share of noise at most, given
@@ -45,13 +47,6 @@ LEAST = 1e-5
 SECOND = 1.65
 # A pulse of fewer rows may have been missed elsewhere.
 SHORT_ROWS = 2.5
-# Kinds of columns, and the names that a logger gives them, with a number.
-KINDS = ("input", "output", "analogue", "position")
-_NAMES = {
-    "input": re.compile(r"(?:d?in|inx|input|di|e)[ _.]?(\d{1,3})", re.IGNORECASE),
-    "output": re.compile(r"(?:d?out|outx|output|do|a)[ _.]?(\d{1,3})", re.IGNORECASE),
-    "analogue": re.compile(r"(?:ain|adc|ai|analogue)[ _.]?(\d{1,3})", re.IGNORECASE),
-}
 
 
 class RecordedChange(NamedTuple):
@@ -100,6 +95,7 @@ class MeasuredRecording:
     analogue: dict[int, Series] = field(default_factory=dict)
     positions: dict[int, Series] = field(default_factory=dict)
     is_late: bool = False
+    sentence: str = ""
     gaps: tuple[tuple[float, float], ...] = ()
     remarks: tuple[Diagnostic, ...] = ()
 
@@ -108,53 +104,33 @@ class MeasuredRecording:
         return any(a < end and b > begin for a, b in self.gaps)
 
 
-def read_recording(source: Source, mapping: Sequence[Mapped]) -> MeasuredRecording:
+def measured_recording(table: RecordedTable, mapping: Sequence[Mapped]) -> MeasuredRecording:
     """Return what a recording has of a machine; raise ProgramError if that is nothing."""
-    table = read_table(source)
-    targets = {each.target: each for each in mapping}
-    clock = targets.pop("time", None)
-    name = time_column(table, source, clock.column if clock else None)
-    times = seconds(table, name, clock.factor if clock else None)
-    rows, remarks = usable_rows(times, table)
-    times = times[rows]
-    if len(times) < 3 or not times[-1] > times[0]:
-        raise ProgramError.of("recording", f"{source.name} has fewer than three rows with a time")
-    columns = {each.target: each for each in _own(table)} | targets
-    if not columns:
+    recording = read_recording(table, mapping, CHANNELS, checked=_kind)
+    if not recording.signals:
         raise ProgramError.of(
             "recording",
-            f"no column of {source.name} is an input, an output or a position",
+            f"no column of {table.name} is an input, an output or a position",
             hint=f"--map input.3=NAME --map output.1=NAME; its columns are {', '.join(table.columns)}",
         )
-    steps = np.diff(times)
-    usual = float(np.median(steps))
-    wide = np.flatnonzero(steps > GAP * usual)
-    gaps = tuple((float(times[k]), float(times[k + 1])) for k in wide)
     found = MeasuredRecording(
-        source.name,
-        float(times[0]),
-        float(times[-1]),
-        usual,
-        gaps=gaps,
-        remarks=(*table.remarks, *remarks, *_gap_remarks(gaps)),
+        recording.name,
+        float(recording.times[0]),
+        float(recording.times[-1]),
+        recording.step,
+        sentence=recording.sentence,
+        gaps=recording.gaps,
+        remarks=recording.remarks,
     )
-    for target, each in columns.items():
+    for target, each in recording.signals.items():
         kind, number = _kind(target)
-        column = table.find(each.column, source)
-        values = table.columns[column][rows]
-        good = np.isfinite(values)
-        if good.sum() < 3:
-            raise ProgramError.of("recording", f"{column} has fewer than three numbers")
-        series = Series(column, times[good], values[good])
         if kind in ("input", "output"):
-            channel = _digital(series, is_inverted=each.factor is not None and each.factor < 0.0)
+            channel = _digital(each, recording)
             (found.inputs if kind == "input" else found.outputs)[number] = channel
-        else:
-            scaled = series._replace(values=series.values * (1.0 if each.factor is None else each.factor))
-            if kind == "analogue":
-                found.analogue[number] = scaled
-            else:
-                found.positions[number] = machine_positions(scaled)
+        elif kind == "analogue":
+            found.analogue[number] = Series(each.column, each.times, each.scaled)
+        elif not recording.events:  # positions in rows of events are points, not a track
+            found.positions[number] = machine_positions(Series(each.column, each.times, each.scaled))
     return found
 
 
@@ -162,11 +138,11 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
     """Return what was recorded from a time on, s, which becomes 0; the recording counts `clock` seconds for one."""
 
     def digital(channel: Digital) -> Digital:
-        before = [each.level for each in channel.changes if each.time <= zero]
+        # A change within its uncertainty of the zero comes after it, as that of an output does at power-up.
+        before = [each.level for each in channel.changes if each.time + each.within <= zero]
         changes = tuple(
-            RecordedChange((each.time - zero) / clock, each.level, each.within / clock)
-            for each in channel.changes
-            if each.time > zero
+            RecordedChange(max(each.time - zero, 0.0) / clock, each.level, each.within / clock)
+            for each in channel.changes[len(before) :]
         )
         return Digital(channel.column, before[-1] if before else channel.first, changes, channel.bounces)
 
@@ -187,51 +163,47 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
     )
 
 
-def _own(table: RecordedColumns) -> Iterator[Mapped]:
-    """Yield the columns whose names say what they are."""
-    yield from (each for each in own_columns(table.columns) if each.target.startswith("position"))
-    for column in table.columns:
-        for kind, names in _NAMES.items():
-            found = names.fullmatch(column.strip())
-            if found is not None:
-                yield Mapped(f"{kind}.{int(found[1])}", column, None)
-                break
-
-
 def _kind(target: str) -> tuple[str, int]:
     kind, _, number = target.partition(".")
-    if kind in KINDS and number.isdecimal():
+    if kind in CHANNELS and number.isdecimal():
         return kind, int(number)
     hint = "write input.3, output.1, analogue.0, position.0 or time"
     raise ProgramError.of("recording", f"{target!r} is nothing that init reads from a recording", hint=hint)
 
 
-def _digital(series: Series, *, is_inverted: bool) -> Digital:
-    """Return the changes of a channel that has two levels, of any voltage."""
-    low, high = float(series.values.min()), float(series.values.max())
-    if high > low:
-        share = (series.values - low) / (high - low)
+def _digital(signal: RecordedSignal, recording: Recording) -> Digital:
+    """Return the changes of a channel that has two levels, of any voltage, or -1 for true."""
+    values, times = signal.values, signal.times
+    low, high = float(values.min()), float(values.max())
+    if low == -1.0 and high <= 1.0 and not (values % 1.0).any():
+        values = np.abs(values)
+        low, high = float(values.min()), float(values.max())
+    if high - low >= LEVELS:
+        share = (values - low) / (high - low)
         between = (share > 1 / 3) & (share < 2 / 3)
         if between.mean() > BETWEEN:
             raise ProgramError.of(
                 "recording",
-                f"{series.column} has {count_of(len(np.unique(series.values)), 'value')} "
+                f"{signal.column} has {count_of(len(np.unique(values)), 'value')} "
                 f"from {low:.6g} to {high:.6g}, and no two levels",
                 hint="choose the column of a digital channel with --map input.3=NAME",
             )
         known = np.flatnonzero(~between)
-        levels, times = share[known] > 0.5, series.times[known]
+        levels, times = share[known] > 0.5, times[known]
     else:
-        levels, times = np.full(len(series.values), low > 0.5), series.times
-    levels = levels != is_inverted
+        levels = np.full(len(values), low + high > 1.0)
+    levels = levels != (signal.factor is not None and signal.factor < 0.0)
+    # A row for each change has its time; a sampled channel has changed between two rows.
     changes = [
         RecordedChange(
-            float(times[k] + times[k + 1]) / 2, int(levels[k + 1]), float(times[k + 1] - times[k]) / 2
+            float(times[k + 1]) if recording.events else float(times[k] + times[k + 1]) / 2,
+            int(levels[k + 1]),
+            recording.step / 2 if recording.events else float(times[k + 1] - times[k]) / 2,
         )
         for k in np.flatnonzero(levels[1:] != levels[:-1])
     ]
     settled, bounces = _settled(changes)
-    return Digital(series.column, int(levels[0]), tuple(settled), bounces)
+    return Digital(signal.column, int(levels[0]), tuple(settled), bounces)
 
 
 def _settled(changes: Sequence[RecordedChange]) -> tuple[list[RecordedChange], int]:
@@ -295,17 +267,6 @@ def least_speed(path: Series, window: int) -> float:
     seconds_apart = 2.0 * window * float(np.median(np.diff(path.times)))
     noise = float(np.median(np.abs(np.diff(path.values, 2)))) / SECOND
     return max(MOVING * float(np.abs(slopes(path, window)).max()), NOISE * noise / seconds_apart)
-
-
-def _gap_remarks(gaps: Sequence[tuple[float, float]]) -> Iterator[Diagnostic]:
-    if gaps:
-        begin, end = max(gaps, key=lambda gap: gap[1] - gap[0])
-        yield Diagnostic(
-            "recording",
-            f"{count_of(len(gaps), 'gap')}, the longest {end - begin:.6g} s from {begin:.6g} s on",
-            severity="warning",
-            hint="changes in a gap are not measured",
-        )
 
 
 def short_remarks(recording: MeasuredRecording) -> Iterator[str]:
