@@ -7,7 +7,7 @@ share is the squared correlation coefficient, whose sums over the recorded windo
 maxima of the grid are then refined by golden section on the samples themselves.
 
 Motion that repeats itself can fit at several delays. Among delays that fit equally well the one with scales
-nearest 1 is chosen, and a reversed sign only if no other delay fits.
+nearest 1 is chosen, a reversed sign only if no other delay fits, and the shortest delay of several passes.
 """
 
 from __future__ import annotations
@@ -28,6 +28,8 @@ COARSE, ROUGH, FINE = 1 << 16, 2_000, 20_000
 # How many maxima of the grid are refined, and by how much of a signal's variance these may be worse than the
 # best.
 MAX_CANDIDATES, WORSE = 6, 0.1
+# Shares of a variance are equal in so many decimal places.
+EQUAL = 3
 # Delays fit equally well if their misfits differ by less than this factor, or this share of a signal's variance.
 TIE_FACTOR, TIE_SHARE = 1.01, 1e-6
 # A simulated signal with less than this share of its largest variance is constant.
@@ -96,11 +98,11 @@ def _refined(trace: ComparedMotion, signals: Sequence[Signal], delay: float, ste
 
 
 def _likeliest(trace: ComparedMotion, signals: Sequence[Signal], delays: Sequence[float]) -> float:
-    """Return the delay that fits best; among equal ones the one with scales nearest 1."""
+    """Return the delay that fits best; among equal ones that with scales nearest 1, and the shortest of these."""
     misfits = [_misfit(trace, signals, delay) for delay in delays]
     worst = TIE_FACTOR * min(misfits) + TIE_SHARE * len(signals)
     tied = [(misfit, delay) for misfit, delay in zip(misfits, delays, strict=True) if misfit <= worst]
-    return min(tied, key=lambda each: (_unlikeness(trace, signals, each[1]), each[0]))[1]
+    return min(tied, key=lambda each: (_unlikeness(trace, signals, each[1]), abs(each[1])))[1]
 
 
 def lag(trace: ComparedMotion, signal: Signal, delay: float, begin: float, end: float) -> float | None:
@@ -139,7 +141,9 @@ def _coarse(trace: ComparedMotion, signals: Sequence[Signal]) -> tuple[list[floa
     rises = np.diff(explained, prepend=-1.0) > 0.0
     falls = np.diff(explained, append=-1.0) <= 0.0
     maxima = np.flatnonzero(rises & falls & (explained > max(explained.max() - WORSE * len(signals), 0.0)))
-    best = maxima[np.argsort(-explained[maxima], kind="stable")][:MAX_CANDIDATES]
+    # Repetitions of a motion explain the same share: the shortest delays of them are tried.
+    order = np.lexsort((np.abs(first - run_times[maxima]), -np.round(explained[maxima], EQUAL)))
+    best = maxima[order][:MAX_CANDIDATES]
     return ([first - float(run_times[k]) for k in best], step) if len(best) else None
 
 

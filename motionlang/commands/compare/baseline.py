@@ -31,25 +31,21 @@ class RecordedMotion:
     def __init__(self, recording: Recording) -> None:
         self.begin = float(recording.times[0])
         self.end = float(recording.times[-1]) - self.begin
-        self._signals = {(each.axis, each.quantity): each for each in signals_of(recording)}
-
-    @property
-    def axes(self) -> list[int]:
-        return sorted({axis for axis, _ in self._signals})
+        self._samples: dict[tuple[int, str], tuple[Array, Array]] = {
+            (each.axis, each.quantity): (each.times - self.begin, each.values)
+            for each in signals_of(recording)
+        }
+        self.axes = sorted({axis for axis, _ in self._samples})
+        for axis in self.axes:
+            for quantity, integral in _SLOPE_OF.items():
+                times, values = self._samples.get((axis, integral), (np.zeros(1), np.zeros(1)))
+                slope = (times[1:] + times[:-1]) / 2, np.diff(values) / np.diff(times)
+                self._samples.setdefault((axis, quantity), slope if len(times) > 1 else (times, 0.0 * values))
+            self._samples.setdefault((axis, "position"), (np.zeros(1), np.zeros(1)))
 
     def at(self, axis: int, quantity: str, times: Array) -> Array:
         """Return a quantity of an axis in user units at any `times`, in s."""
-        known, values = self._samples(axis, quantity)
-        return np.interp(times, known, values)
-
-    def _samples(self, axis: int, quantity: str) -> tuple[Array, Array]:
-        signal = self._signals.get((axis, quantity))
-        if signal is not None:
-            return signal.times - self.begin, signal.values
-        if quantity not in _SLOPE_OF:
-            return np.zeros(1), np.zeros(1)
-        times, values = self._samples(axis, _SLOPE_OF[quantity])
-        return times, np.gradient(values, times) if len(times) > 1 else np.zeros(1)
+        return np.interp(times, *self._samples[axis, quantity])
 
 
 class Baseline(NamedTuple):

@@ -22,7 +22,13 @@ from motionlang.commands.compare.alignment import (
     simulated,
 )
 from motionlang.commands.compare.baseline import Baseline, Row, signals_of
-from motionlang.commands.compare.differences import scale_remarks, stroke_remarks, unrecorded_remarks
+from motionlang.commands.compare.differences import (
+    later_remarks,
+    scale_remarks,
+    stroke_remarks,
+    unrecorded_remarks,
+)
+from motionlang.commands.compare.drift import clock_text, drift
 from motionlang.commands.compare.strokes import SAME_SHARE, Matched, is_explained, match
 from motionlang.commands.recording import Recording
 from motionlang.kernel import Diagnostic, ProgramError
@@ -72,6 +78,13 @@ def compare(
         first_row = float(recording.times[0])
         found = [each._replace(times=each.times - first_row) for each in found]
     matches = [match(trace, signal) for signal in found]
+    rate = drift(found, matches)
+    if rate is not None:
+        begin = float(recording.times[0])
+        found = [each._replace(times=begin + (each.times - begin) / rate) for each in found]
+        matches = [match(trace, signal) for signal in found]
+        hint = "set the clock of the logger, or measure with another one"
+        remarks.append(Diagnostic("recording", clock_text(rate), severity="warning", hint=hint))
     known = _matches_with_zero(found, matches)
     first = min((each.pairs[0] for each in known), key=lambda pair: pair.run.begin, default=None)
     fitted = find_delay(trace, found) if delay is None else delay
@@ -101,6 +114,7 @@ def compare(
             strokes[signal.axis] = matched
             own = [row for row in rows if row["axis"] == signal.axis]
             remarks += stroke_remarks(signal.name, matched, delay, own, baseline.noun)
+            remarks += later_remarks(signal.name, matched, delay, baseline.noun)
     axes = set()
     for signal, matched in zip(found, matches, strict=True):
         own_strokes = strokes.get(signal.axis)

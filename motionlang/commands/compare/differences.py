@@ -44,6 +44,17 @@ def unrecorded_remarks(
         )
 
 
+def later_remarks(signal: str, matched: Matched, delay: float, noun: str) -> Iterator[Diagnostic]:
+    """Yield a warning if an axis moves in its recording after the end of the run."""
+    if matched.later:
+        start = round(matched.later[0].begin - delay, 2)
+        yield _warning(
+            f"{signal}: {count_of(len(matched.later), 'move')} from {start:g} s on "
+            f"{'is' if len(matched.later) == 1 else 'are'} recorded after the end of {noun}, and not compared",
+            "the recording has more than one pass, or --until ends the run too soon",
+        )
+
+
 def scale_remarks(
     row: Row, quantity: str, matched: Matched | None, counts: float, noun: str
 ) -> Iterator[Diagnostic]:

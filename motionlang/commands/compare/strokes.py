@@ -104,7 +104,7 @@ class Pair(NamedTuple):
 
 
 class Matched(NamedTuple):
-    """The strokes of a signal and of the run: `pairs`, `missing` from the recording, and `extra` in it.
+    """The strokes of a signal and of the run: `pairs`, `missing` from the recording, and `extra` in it; `later` ones.
 
     `scale` is the travel of the recording relative to that of the run. `resolution` is that of times, s.
     """
@@ -113,6 +113,7 @@ class Matched(NamedTuple):
     pairs: list[Pair]
     missing: list[Stroke]
     extra: list[Stroke]
+    later: list[Stroke]
     resolution: float
 
     @property
@@ -271,7 +272,12 @@ def match(trace: ComparedMotion, signal: Signal) -> Matched | None:
         for j, stroke in enumerate(measured)
         if j not in paired[1] and begin <= stroke.begin and stroke.end <= end
     ]
-    return Matched(scale, pairs, missing, extra, resolution)
+    later = [
+        stroke._replace(begin=_onset(stroke))
+        for j, stroke in enumerate(measured)
+        if j not in paired[1] and stroke.begin > end - resolution
+    ]
+    return Matched(scale, pairs, missing, extra, later, resolution)
 
 
 def _shift(pairs: Sequence[Pair], stroke: Stroke) -> float:
@@ -511,7 +517,7 @@ def _pairing(run: Sequence[Stroke], recorded: Sequence[Stroke], scale: float, ha
                     cost += ELSEWHERE * abs(later - wanted) / max(later, wanted)
                 elif has_zero and _is_shifted(expected, measured, scale):
                     cost += SHIFTED
-                choices.insert(0, (cost, [*pairs, (i, j)]))
+                choices.append((cost, [*pairs, (i, j)]))  # last: of equal pairings, the earliest
             row.append(min(choices, key=lambda each: each[0]))
         above = row
     return above[-1]

@@ -45,8 +45,8 @@ SHEET_ZERO = date(1899, 12, 30)
 LONGER = 1000.0**0.5
 # Whole numbers that step by so much count no seconds: evenly, or not.
 EVEN_STEP, UNEVEN_STEP, EVEN = 5.0, 100.0, 1.5
-# An hour of summer time is exact but for so many usual steps, and this, s.
-SUMMER_STEPS, SUMMER = 3.0, 1.0
+# An hour of summer time is exact but for so many usual steps, and this, s; it shows in more rows than these.
+SUMMER_STEPS, SUMMER, MIN_SUMMER = 3.0, 1.0, 10
 
 _DATE = re.compile(r"(\d{1,4})[-/.](\d{1,2}|[A-Za-z]{3})[-/.](\d{1,4})\.?")
 _TIME = re.compile(r"(\d{1,3}):(\d{2})(?::(\d{2}))?(?:([.,:])(\d{1,9}))?(?:\s*([ap])\.?m\.?)?", re.IGNORECASE)
@@ -183,11 +183,11 @@ def _of_texts(cells: Sequence[str]) -> ClockTimes:
         if turns.any() and seconds[rows].max() < DAY:
             seconds[rows] += DAY * np.append(0.0, np.cumsum(turns))
             changes.append(("the time of day goes over midnight", int(rows[1:][turns != 0.0][0])))
-    if is_local:
+    if is_local and len(rows) > MIN_SUMMER:
         steps = np.diff(seconds[rows])
         usual = float(np.median(np.abs(steps)))
         near = np.abs(np.abs(steps) - HOUR) <= SUMMER_STEPS * usual + SUMMER
-        if near.sum() == 1 and len(rows) > 10:
+        if near.sum() == 1:
             at = int(np.flatnonzero(near)[0])
             seconds[rows[at + 1 :]] -= HOUR * np.sign(steps[at])
             where = "back" if steps[at] < 0.0 else "forward"

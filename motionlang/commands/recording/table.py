@@ -1,6 +1,6 @@
 """The file of a recording as columns of text, with the names and the units that its head gives them.
 
-A separator is detected from the lines (tab, semicolon, comma, bar, blanks), or named by the line `sep=;` of a
+A separator is detected from the lines (tab, semicolon, bar, comma, blanks), or named by the line `sep=;` of a
 spreadsheet. Rows of names and of units may come first, preceded by any number of other lines. Rows of numbers begin
 where at least half of the cells are values.
 
@@ -27,7 +27,7 @@ from motionlang.commands.recording.values import number
 from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.tools import count_of, need
 
-SEPARATORS = ("\t", ";", ",", "|", " ")
+SEPARATORS = ("\t", ";", "|", ",", " ")
 REMARKS = ("#", "%", "//")
 # Lines that are read to detect the separator and the head.
 _SAMPLED_LINES = 60

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from math import isfinite, nan
+from math import nan
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ LEVELS = {
 }
 # Digits with blanks, apostrophes or separators of thousands in them, and a unit such as mm or °C behind them.
 _FIGURE = re.compile(r"([-+]?[\d.,'’\s\u202f]*\d[.,]?(?:[eE][-+]?\d+)?)\s*[^\W\d]*[°%²³/\w]{0,8}")
+# Larger numbers are no measurement; times have up to 19 digits.
+LARGEST = 1e25
 _GROUPS = str.maketrans("", "", "'’ \t\u00a0\u202f")
 
 
@@ -25,7 +27,7 @@ def number(cell: str) -> float:
         value = float(cell) if "_" not in cell else nan
     except ValueError:
         value = _written(cell)
-    return value if isfinite(value) else nan
+    return value if abs(value) <= LARGEST else nan
 
 
 def _written(cell: str) -> float:

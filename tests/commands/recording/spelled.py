@@ -163,16 +163,16 @@ def with_holes(lines: list[str], seed: int) -> list[str]:
     return lines
 
 
-def write(spelling: Spelling, folder: Path) -> Path:
+def write(spelling: Spelling, folder: Path, rows: Sequence[Moment] | None = None) -> Path:
     """Write the recording in a spelling, and return its file."""
-    text, form = text_of(spelling), spelling.options.get("format", "csv")
+    text, form = text_of(spelling, rows), spelling.options.get("format", "csv")
     path = folder / f"rec.{form}"
     if form == "csv":
         newline = "\r\n" if spelling.options.get("newline") == "crlf" else "\n"
         path.write_bytes(text.replace("\n", newline).encode(spelling.options.get("encoding", "utf-8")))
         return path
-    head, *rows = text.splitlines()
-    columns = dict(zip(head.split(","), zip(*(row.split(",") for row in rows), strict=True), strict=True))
+    head, *lines = text.splitlines()
+    columns = dict(zip(head.split(","), zip(*(row.split(",") for row in lines), strict=True), strict=True))
     (write_parquet if form == "parquet" else write_mcap)(columns, path)
     return path
 

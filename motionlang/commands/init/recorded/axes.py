@@ -20,7 +20,8 @@ from typing import NamedTuple
 import numpy as np
 
 from motionlang.commands.compare.differences import usual_factor
-from motionlang.commands.init.recorded.outcome import CLOCK, MAX_CLOCK, OutcomeMark, matched, near, run_path
+from motionlang.commands.compare.drift import MIN_PASSED, MIN_ROWS, PASSED, clock_rate
+from motionlang.commands.init.recorded.outcome import OutcomeMark, matched, near, run_path
 from motionlang.commands.init.recorded.recording import MeasuredRecording, Series, noise_of
 from motionlang.kernel import Run
 from motionlang.kernel.log import LoggedMove
@@ -39,10 +40,6 @@ TOP = 90
 MIN_LAG = 0.002
 # The rows at both ends of a stroke that its figures leave out.
 EDGE = 2
-# The clock is measured between these shares of the travel of a stroke, in so many strokes of so many rows at least. It
-# differs by so many standard deviations.
-PASSED, MIN_PASSED, MIN_ROWS = (0.25, 0.75), 6, 12
-CERTAIN = 4.0
 
 
 def switches(
@@ -205,14 +202,7 @@ def stroke_clock(run: Run, recording: MeasuredRecording) -> float | None:
                 mine, theirs = each.rows
                 passed = _passing(mine, each.mine[0]), _passing(theirs, unit * each.mine[0])
                 times += [passed] if min(passed) > MIN_ROWS * recording.step else []
-    if len(times) < MIN_PASSED:
-        return None
-    usual = median(theirs / mine for mine, theirs in times)
-    rest = CERTAIN * median(abs(theirs - usual * mine) for mine, theirs in times) + 1e-9
-    mine, theirs = np.array([each for each in times if abs(each[1] - usual * each[0]) <= rest]).T
-    ratio = float(theirs.sum() / mine.sum())
-    error = float(np.sqrt(np.square(theirs - ratio * mine).sum()) / mine.sum())
-    return ratio if max(CLOCK, CERTAIN * error) < abs(ratio - 1.0) < MAX_CLOCK else None
+    return clock_rate(times)
 
 
 def _passing(rows: Series, travel: float) -> float:

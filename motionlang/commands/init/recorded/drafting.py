@@ -14,6 +14,7 @@ from dataclasses import replace
 from math import inf
 from typing import NamedTuple
 
+from motionlang.commands.compare.drift import clock_text
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import inline
 from motionlang.commands.init.recorded.axes import axis_remarks, stroke_clock, switches
@@ -122,8 +123,7 @@ def refined(
     measure_clock = stroke_clock if recording.positions else clock_of
     clock = measure_clock(found.run, recording)
     if clock is not None:
-        text = f"{100.0 * abs(clock - 1.0):.1g} % {'fast' if clock > 1.0 else 'slow'}"
-        sentences.append(f"the clock of the recording is {text}; its times are corrected")
+        sentences.append(clock_text(clock))
         recording, found = since(recording, 0.0, clock), found.corrected(clock)
         rules, given, comments = entries_of(recording)
     sentences += in_words(found)

@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from motionlang.commands.compare.drift import CLOCK, MAX_CLOCK
 from motionlang.commands.init.recorded.recording import (
     MeasuredRecording,
     Series,
@@ -37,9 +38,8 @@ FIRST, COMPARED = 4, 60
 NEAR_ROWS, NEAR = 2.0, 0.01
 # What happens so soon after power-up, s, may be before the first row.
 SOON = 0.05
-# A clock differs by at least this share, and by more than so many rows for each stretch over the time that is compared.
-# What differs by more than the second share is the motion.
-CLOCK, MAX_CLOCK, CLOCK_ROWS = 4e-4, 0.02, 1.5
+# A clock differs by more than so many rows for each stretch over the time that is compared.
+CLOCK_ROWS = 1.5
 # A program that polls an input answers within this time, s.
 ANSWER = 0.03
 # The marks of a program are in a recording if this share of the recorded ones is matched, in so many at least.

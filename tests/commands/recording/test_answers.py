@@ -1,0 +1,150 @@
+"""What `compare` says about a recording: passes, clocks, speeds; its spelling changes none of it."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from motionlang.commands.compare.baseline import baseline_of, read_compared
+from motionlang.commands.compare.comparison import Comparison, compare
+from motionlang.commands.recording import read_file, table_of
+from motionlang.kernel import Run, Source, run
+from tests.cases import examples
+from tests.commands.recording.spelled import STEP, Answer, Spelling, answer, text_of, write
+
+HEAD = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
+CYCLE = (
+    "MOVEA(0) = 40 : GO(0) : PAUSE IDLE(0) : WAIT(300)\nMOVEA(0) = 0 : GO(0) : PAUSE IDLE(0) : WAIT(500)\n"
+)
+
+
+@cache
+def passes(count: int, speed: float = 100.0) -> Run:
+    return run(Source("m.mnt", HEAD.format(speed) + CYCLE * count), dialect="mint")
+
+
+def recorded(result: Run, step: float = 0.01, before: float = 0.0, clock: float = 1.0) -> Source:
+    times = np.arange(-before, result.time, step)
+    positions = result.trace.at(0, "position", np.maximum(times, 0.0))
+    rows = (f"{clock * (time + before):.6f},{each:.5f}" for time, each in zip(times, positions, strict=True))
+    return Source("rec.csv", "\n".join(["time,position.0", *rows]))
+
+
+def compared(result: Run, source: Source) -> Comparison:
+    baseline = baseline_of(result)
+    return compare(baseline, read_compared(table_of(source), [], baseline))
+
+
+@pytest.mark.parametrize("before", [0.0, 0.7])
+@pytest.mark.parametrize(("mine", "theirs"), [(1, 1), (1, 2), (1, 3), (2, 1), (2, 5), (5, 2)])
+def test_the_first_of_several_passes_is_compared(mine: int, theirs: int, before: float) -> None:
+    made = compared(passes(mine), recorded(passes(theirs), before=before))
+    assert made.delay == pytest.approx(before, abs=1e-4)
+    assert abs(made.signals[0]["peak"]) < 1e-3
+    later = [each.message for each in made.remarks if "after the end of the run" in each.message]
+    count = 2 * (theirs - mine)
+    assert later == (
+        [
+            f"position.0: {count} moves from {1.8 * mine:.3g} s on are recorded after the end of the run, "
+            "and not compared"
+        ]
+        if count > 0
+        else []
+    )
+
+
+@pytest.mark.parametrize("clock", [0.99, 0.998, 1.001, 1.002])
+@pytest.mark.parametrize("step", [0.001, 0.005])
+def test_a_clock_of_another_rate_is_one_sentence(clock: float, step: float) -> None:
+    """`init` finds the same from the same strokes."""
+    made = compared(passes(8), recorded(passes(8), step, clock=clock))
+    text = f"{100.0 * abs(clock - 1.0):.1g} % {'fast' if clock > 1.0 else 'slow'}"
+    assert [each.message for each in made.remarks] == [
+        f"the clock of the recording is {text}; its times are corrected"
+    ]
+    assert abs(made.signals[0]["peak"]) < 0.01
+
+
+@pytest.mark.parametrize("speed", [98.5, 99.5])
+def test_a_slower_drive_is_no_clock(speed: float) -> None:
+    """The rests take as long as in the run."""
+    made = compared(passes(8), recorded(passes(8, speed), 0.005))
+    assert not any("clock" in each.message for each in made.remarks)
+
+
+def test_nine_moves_at_another_speed_are_one_warning() -> None:
+    made = compared(passes(5), recorded(passes(5, 80.0)))
+    (remark,) = made.remarks
+    assert remark.message.startswith(
+        "position.0, MOVEA of line 2: recorded the same 40 uu in 17 % more time: 80 against 100 uu/s "
+        "(and 9 more: line 3 "
+    )
+    assert remark.message.endswith("line 11 in 17 % more time: 80 against 100 uu/s)")
+
+
+def test_two_recordings_of_one_machine() -> None:
+    """The strokes of the older one are the moves; both count from their first row."""
+    older = read_compared(table_of(recorded(passes(2))), [])
+    baseline = baseline_of(older)
+    newer = recorded(passes(2, 80.0), before=0.3)
+    made = compare(baseline, read_compared(table_of(newer), [], baseline))
+    assert [row["start_time"] for row in made.moves] == pytest.approx([0.0, 0.8, 1.8, 2.6], abs=0.02)
+    assert made.moves[0]["lag"] == pytest.approx(0.0, abs=0.01)
+    (remark,) = made.remarks
+    assert remark.message.startswith("position.0, move at 0 s: recorded the same 40 uu in 16 % more time: ")
+    assert "80 against 100 uu/s (and 3 more: move at " in remark.message
+
+
+# Times by the name of their column, and the form of a cell.
+TIMES = {
+    "time": "{t:.3f}", "Zeit [ms]": "{ms}", "t_us": "{us}", "time_ns": "{ns}", "epoch": "{epoch:.3f}",
+    "timestamp": "{d:%Y-%m-%dT%H:%M:%S.%f}Z", "Uhrzeit": "{d:%H:%M:%S.%f}", "datetime": "{d:%d.%m.%Y %H:%M:%S.%f}",
+}  # fmt: skip
+
+
+@cache
+def right() -> Answer:
+    lines = ["time,axis0_position_uu,in1,out1,out2", "{t:.3f},{x:.4f},{a},{b},{c}"]
+    return answer(table_of(Source("rec.csv", text_of(Spelling("", lines)))))
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("recordings")
+
+
+@settings(max_examples=examples(80), deadline=None)
+@given(
+    name=st.sampled_from(sorted(TIMES)),
+    comma=st.booleans(),
+    separator=st.sampled_from([",", ";", "\t", "|"]),
+    level=st.sampled_from(["", ":w", ":o", ":v", ":m"]),
+    order=st.sampled_from(["", "newest", "swapped", "doubled", "shuffled"]),
+    encoding=st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "latin-1"]),
+    form=st.sampled_from(["csv", "csv", "csv", "parquet", "mcap"]),
+)
+def test_no_spelling_changes_an_answer(
+    folder: Path, name: str, comma: bool, separator: str, level: str, order: str, encoding: str, form: str
+) -> None:
+    """Order, unit, clock, decimal sign, levels and format change nothing beyond a step."""
+    options = {"order": order, "encoding": encoding}
+    position = "{xc}" if comma and separator != "," else "{x:.4f}"
+    if form != "csv":  # the tests write numbers in seconds
+        separator, position, name, options = ",", "{x:.4f}", "time", {"format": form}
+    levels = [f"{{{each}{level if form == 'csv' else ''}}}" for each in "abc"]
+    lines = [
+        separator.join([name, "position.0", "in1", "out1", "out2"]),
+        separator.join([TIMES[name], position, *levels]),
+    ]
+    found = answer(read_file(str(write(Spelling("", lines, options), folder))))
+    assert abs(found.delay - right().delay) < STEP
+    assert found.residual < 0.01
+    assert found.points == right().points
+    assert [keys for keys, _ in found.rules] == [keys for keys, _ in right().rules]
+    for (_, mine), (_, exact) in zip(found.rules, right().rules, strict=True):
+        assert mine == pytest.approx(exact, abs=STEP)
