@@ -15,7 +15,7 @@ import re
 from collections.abc import Sequence
 from datetime import UTC, date, datetime
 from math import inf, log10, nan
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,13 +43,17 @@ SHEET, SHEET_STEP = (20_000.0, 80_000.0), 1e-4
 SHEET_ZERO = date(1899, 12, 30)
 # Without a unit, times that are so many times as long as the run are in a smaller unit.
 LONGER = 1000.0**0.5
+# Rows take at most so many usual steps each, but for pauses.
+SPAN_STEPS = 3.0
 # Whole numbers that step by so much count no seconds: evenly, or not.
 EVEN_STEP, UNEVEN_STEP, EVEN = 5.0, 100.0, 1.5
 # An hour of summer time is exact but for so many usual steps, and this, s; it shows in more rows than these.
 SUMMER_STEPS, SUMMER, MIN_SUMMER = 3.0, 1.0, 10
 
 _DATE = re.compile(r"(\d{1,4})[-/.](\d{1,2}|[A-Za-z]{3})[-/.](\d{1,4})\.?")
-_TIME = re.compile(r"(\d{1,3}):(\d{2})(?::(\d{2}))?(?:([.,:])(\d{1,9}))?(?:\s*([ap])\.?m\.?)?", re.IGNORECASE)
+_TIME = re.compile(
+    r"(\d{1,3}):(\d{1,2})(?::(\d{1,2}))?(?:([.,:])(\d{1,9}))?(?:\s*([ap])\.?m\.?)?", re.IGNORECASE
+)
 _MONTHS = {
     name: k
     for k, name in enumerate(
@@ -60,16 +64,23 @@ _MONTHS |= {"mai": 5, "okt": 10, "dez": 12}
 
 
 class ClockTimes(NamedTuple):
-    """Seconds of the rows, NaN where there are none; `begin` is the date of the second 0, or "".
+    """Seconds of the rows, NaN where there are none, since 1970 if they are a `date`, since midnight if a `day`.
 
     `doubt` says why a unit was chosen without being named, with the factor of it, and `changes` what the clock did,
     each with the row.
     """
 
     seconds: Array
-    begin: str = ""
+    kind: Literal["", "date", "day"] = ""
     doubt: tuple[str, float] | None = None
     changes: tuple[tuple[str, int], ...] = ()
+
+    def begin(self, seconds: float) -> str:
+        """Return the date or the time of day of a second; "" if times are plain numbers."""
+        if not self.kind or not 0.0 <= seconds < EPOCH[1]:
+            return ""
+        moment = datetime.fromtimestamp(seconds, UTC)
+        return f"{moment:%Y-%m-%d %H:%M:%S}" if self.kind == "date" else f"{moment:%H:%M:%S}"
 
 
 def is_clock_time(cell: str) -> bool:
@@ -104,9 +115,11 @@ def _of_numbers(values: Array, unit: str, factor: float | None, length: float | 
     if len(known) < 2:
         return ClockTimes(values * (scale or 1.0))
     middle = float(np.median(known))
-    # A few wrong cells do not make a recording long.
+    # A few wrong cells, or a pause, do not make a recording long.
     low, high = np.quantile(known, (0.02, 0.98))
-    span = float(high - low) / 0.96
+    different = np.unique(known)
+    step = float(np.median(np.diff(different))) if len(different) > 1 else 0.0
+    span = min(float(high - low) / 0.96, SPAN_STEPS * step * len(different))
     doubt = None
     if scale is None:
         scale = _epoch_unit(middle, span)
@@ -114,14 +127,12 @@ def _of_numbers(values: Array, unit: str, factor: float | None, length: float | 
             doubt = "the times are large numbers without a unit", scale
     if scale is None and _is_sheet(known, middle, span, length):
         begin = datetime.combine(SHEET_ZERO, datetime.min.time(), UTC).timestamp()
-        return _from_first(begin + values * DAY)
+        return ClockTimes(begin + values * DAY, "date")
     if scale is None:
         scale, text = _scale_by_length(known, span, length)
         doubt = (text, scale) if text else None
-    seconds = values * scale
-    if EPOCH[0] < middle * scale < EPOCH[1] and span * scale < LONGEST:
-        return _from_first(values * scale)._replace(doubt=doubt)
-    return ClockTimes(seconds, doubt=doubt)
+    is_date = EPOCH[0] < middle * scale < EPOCH[1] and span * scale < LONGEST
+    return ClockTimes(values * scale, "date" if is_date else "", doubt)
 
 
 def _epoch_unit(middle: float, span: float) -> float | None:
@@ -158,13 +169,6 @@ def _scale_by_length(known: Array, span: float, length: float | None) -> tuple[f
     return scale, f"the times have no unit, and are whole numbers {step:g} apart"
 
 
-def _from_first(seconds: Array) -> ClockTimes:
-    """Return seconds since 1970 as seconds since the earliest row."""
-    zero = float(np.nanmin(seconds))
-    begin = datetime.fromtimestamp(zero, UTC) if abs(zero) < EPOCH[1] else None
-    return ClockTimes(seconds - zero, "" if begin is None else f"{begin:%Y-%m-%d %H:%M:%S}")
-
-
 # ------------------------------------------------------------------------------------------ texts
 
 
@@ -192,8 +196,7 @@ def _of_texts(cells: Sequence[str]) -> ClockTimes:
             seconds[rows[at + 1 :]] -= HOUR * np.sign(steps[at])
             where = "back" if steps[at] < 0.0 else "forward"
             changes.append((f"the clock is put {where} by an hour, as for summer time", int(rows[at + 1])))
-    made = _from_first(seconds)
-    return made._replace(begin=made.begin if has_date else made.begin[11:], changes=tuple(changes))
+    return ClockTimes(seconds, "date" if has_date else "day", changes=tuple(changes))
 
 
 def _parts(cell: str) -> dict[str, str]:

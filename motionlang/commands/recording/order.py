@@ -2,7 +2,7 @@
 
 Loggers write the newest row first, swap neighbours that came over a network, repeat rows, begin at 0 again when they
 are restarted, and count whole seconds. All of it shows in the times alone: a row that is a little late is sorted, and
-one that is late by many rows begins another stretch, of which the longest is read.
+one that is late by many rows, or comes after a long pause, begins another stretch. The longest stretch is read.
 """
 
 from __future__ import annotations
@@ -23,6 +23,8 @@ Rows = NDArray[np.int64]
 
 # A row is sorted if it is late by less than so many usual steps.
 FAR = 16.0
+# So many times as long as all rows take together, and longer than this, s, is a pause between two recordings.
+PAUSE, MIN_PAUSE = 10.0, 60.0
 # More stretches than this, of fewer rows than this each, are rows in no order.
 MAX_STRETCHES, MIN_STRETCH = 8, 16
 # The newest row comes first if this share of the steps goes backwards.
@@ -45,14 +47,7 @@ def ordered(times: Array, lines: Rows, is_same: Callable[[int, int], bool]) -> O
     rows = np.flatnonzero(np.isfinite(times))
     rows = _oldest_first(rows, times, lines, remarks)
     rows = _in_line(rows, times, lines, remarks)
-    rows = _stretch(rows, times, lines, remarks)
-    late = int((np.diff(times[rows]) < 0.0).sum())
-    if late:
-        at = int(np.flatnonzero(np.diff(times[rows]) < 0.0)[0])
-        remarks.append(
-            warning(f"{count_of(late, 'row')} out of order, sorted by time", int(lines[rows[at + 1]]))
-        )
-        rows = rows[np.argsort(times[rows], kind="stable")]
+    rows = _sorted(_stretch(rows, times, lines, remarks), times, lines, remarks)
     return _apart(rows, times[rows], lines, is_same, remarks)
 
 
@@ -88,29 +83,47 @@ def _usual(times: Array) -> float:
     return float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
 
 
+def _sorted(rows: Rows, times: Array, lines: Rows, remarks: list[Diagnostic]) -> Rows:
+    late = np.flatnonzero(np.diff(times[rows]) < 0.0)
+    if not len(late):
+        return rows
+    line = int(lines[rows[late[0] + 1]])
+    remarks.append(warning(f"{count_of(len(late), 'row')} out of order, sorted by time", line))
+    return rows[np.argsort(times[rows], kind="stable")]
+
+
 def _stretch(rows: Rows, times: Array, lines: Rows, remarks: list[Diagnostic]) -> Rows:
     """Return the longest stretch in which time goes on."""
-    found = times[rows]
-    far = FAR * _usual(found)
-    edges, latest = [0], -np.inf
-    for k, time in enumerate(found.tolist()):
-        if time < latest - far:
-            edges.append(k)
-            latest = time
-        latest = max(latest, time)
-    stretches = list(pairwise([*edges, len(rows)]))
-    if len(stretches) == 1 or (len(stretches) > MAX_STRETCHES and len(rows) < MIN_STRETCH * len(stretches)):
+    stretches, reason = _stretches(times[rows])
+    if len(stretches) > MAX_STRETCHES and len(rows) < MIN_STRETCH * len(stretches):
+        rows = _sorted(rows, times, lines, remarks)
+        stretches, reason = _stretches(times[rows])
+    if len(stretches) == 1:
         return rows
     first, last = max(stretches, key=lambda edge: edge[1] - edge[0])
     remarks.append(
         warning(
-            f"time starts again: {len(stretches)} stretches, of "
-            f"{_listed([b - a for a, b in stretches])} rows",
+            f"{reason}: {len(stretches)} stretches, of {_listed([b - a for a, b in stretches])} rows",
             int(lines[rows[stretches[1][0]]]),
             f"only the longest is read, lines {_range(lines[rows[first:last]])}; cut the file to read another one",
         )
     )
     return rows[first:last]
+
+
+def _stretches(times: Array) -> tuple[list[tuple[int, int]], str]:
+    """Return the stretches of rows in which time goes on, and why the first one ends."""
+    usual = _usual(times)
+    pause = max(MIN_PAUSE, PAUSE * usual * len(times))
+    edges, latest, reason = [0], -np.inf, ""
+    for k, time in enumerate(times.tolist()):
+        is_again, is_paused = time < latest - FAR * usual, k > 0 and time > latest + pause
+        if is_again or is_paused:
+            edges.append(k)
+            reason = reason or ("time starts again" if is_again else f"no rows for {time - latest:.3g} s")
+            latest = time
+        latest = max(latest, time)
+    return list(pairwise([*edges, len(times)])), reason
 
 
 def _listed(counts: Sequence[int]) -> str:

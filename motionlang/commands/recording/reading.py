@@ -102,6 +102,9 @@ def read_recording(
             hint=f"{names[-1]} is its time; choose another column with --map time=NAME",
         )
     rows, times = order.rows, order.times
+    begin = found.begin(float(times[0]))
+    if found.kind:
+        times = times - times[0]
     signals: dict[str, RecordedSignal] = {}
     for target, each in targets.items():
         column = find(table, each.column)
@@ -124,7 +127,7 @@ def read_recording(
     wide = np.flatnonzero(steps > GAP * step) if not events else np.zeros(0, dtype=np.int64)
     gaps = tuple((float(times[k]), float(times[k + 1])) for k in wide)
     used = {*names, *(each.column for each in signals.values())}
-    sentence = _sentence(table, found, rows, times, step, gaps, events, used)
+    sentence = _sentence(table, begin, rows, times, step, gaps, events, used)
     return Recording(table.name, table.source, times, step, gaps, events, signals, sentence, tuple(remarks))
 
 
@@ -175,7 +178,7 @@ def _held(signal: RecordedSignal, times: Array) -> Array:
 
 def _sentence(
     table: RecordedTable,
-    found: ClockTimes,
+    begin: str,
     rows: NDArray[np.int64],
     times: Array,
     step: float,
@@ -185,12 +188,12 @@ def _sentence(
 ) -> str:
     parts = [
         f"{_count(len(rows))} of {_count(len(table.lines))} rows",
-        f"{_time(times[0])} to {_time(times[-1])} s" + (f" from {found.begin}" if found.begin else ""),
+        f"{_time(times[0])} to {_time(times[-1])} s" + (f" from {begin}" if begin else ""),
         "a row only where something changes" if events else f"every {step:.3g} s",
     ]
     if gaps:
-        begin, end = max(gaps, key=lambda gap: gap[1] - gap[0])
-        parts.append(f"{count_of(len(gaps), 'gap')} ({end - begin:.3g} s at {_time(begin)} s)")
+        since, until = max(gaps, key=lambda gap: gap[1] - gap[0])
+        parts.append(f"{count_of(len(gaps), 'gap')} ({until - since:.3g} s at {_time(since)} s)")
     parts.append(f"{count_of(len(used), 'column')} used of {len(table.columns)}")
     return f"{table.name}: {', '.join(parts)}"
 

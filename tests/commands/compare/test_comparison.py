@@ -349,6 +349,11 @@ def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
         ("0 2 1 3 4", 5, "1 row out of order"),
         ("2 1 0", 3, "the newest row comes first"),
         (f"{' '.join(map(str, range(40)))} 0 1 2", 40, "time starts again: 2 stretches, of 40 and 3 rows"),
+        (
+            f"{' '.join(map(str, range(40)))} {' '.join(map(str, range(90000, 90030)))}",
+            40,
+            "no rows for 900 s: 2",
+        ),
         (f"{' '.join(map(str, range(20)))} 999 {' '.join(map(str, range(20, 40)))}", 40, "out of line"),
     ],
 )

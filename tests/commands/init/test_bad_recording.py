@@ -13,6 +13,11 @@ from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell, Outcome
 from tests.commands.init.recordings import FOLDER, Logger, csv_of, machine_run, world_of
 
+ROTARY = """\
+1MN,1SV8000,1SA16000,1DS16000
+1VM,1DI0,1SV1000,1GO,1FI0,1ST,1WS0.1,1PM,1SV8000,1MA0,1WS0.1
+WN2,1MR2000,1WS0.05,RP6
+"""
 Columns = dict[str, NDArray[np.float64]]
 
 
@@ -199,3 +204,18 @@ def test_missed_parts(cell: Cell) -> None:
     (vacuum,) = entries(cell, 1, "picker")
     assert (vacuum["output"], vacuum["guess"]) == (0, True)
     assert vacuum["delay"] == pytest.approx(0.3, abs=0.003)
+
+
+def test_an_axis_that_turns_where_it_began(cell: Cell) -> None:
+    """It has passed no index mark: the distance between the marks stays a guess."""
+    positions = [
+        0.00, 3.17, 12.75, 28.72, 48.67, 68.67, 88.67, 108.67, 128.67, 148.67, 168.67, 188.67, 8.07,
+        22.10, 29.73, 31.26, 31.26, 31.26, 31.26, 31.26, 30.96, 25.80, 14.30, 3.97, 0.04, 0.00, 0.00,
+        0.00, 0.00, 0.00, 2.51, 11.37, 26.64,
+    ]  # fmt: skip
+    text = "\n".join(["time,position.1,in2", *(f"{k / 50},{each},1" for k, each in enumerate(positions))])
+    cell.write("turn.mccl", ROTARY)
+    cell.write("rec.csv", text)
+    ran = cell("init", "turn.mccl", "--recording", "rec.csv", "--format", "none")
+    assert "internal error" not in ran.err
+    assert "index_every = 200.0\n" in (cell.folder / "turn.machine.toml").read_text()

@@ -12,10 +12,12 @@ from hypothesis import strategies as st
 
 from motionlang.commands.compare.baseline import baseline_of, read_compared
 from motionlang.commands.compare.comparison import Comparison, compare
+from motionlang.commands.init.recorded.drafting import entries_of
+from motionlang.commands.init.recorded.recording import measured_recording
 from motionlang.commands.recording import read_file, table_of
-from motionlang.kernel import Run, Source, run
+from motionlang.kernel import ProgramError, Run, Source, run
 from tests.cases import examples
-from tests.commands.recording.spelled import STEP, Answer, Spelling, answer, text_of, write
+from tests.commands.recording.spelled import STEP, Answer, Spelling, answer, moments, text_of, write
 
 HEAD = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 CYCLE = (
@@ -98,6 +100,55 @@ def test_two_recordings_of_one_machine() -> None:
     (remark,) = made.remarks
     assert remark.message.startswith("position.0, move at 0 s: recorded the same 40 uu in 16 % more time: ")
     assert "80 against 100 uu/s (and 3 more: move at " in remark.message
+
+
+def events(*, sparse: bool) -> str:
+    """Return the recording with a row only where a level changes, or only the levels that have changed."""
+    lines, before = ["time,in1,out1,out2"], ("", "", "")
+    for each in moments():
+        levels = (str(each.a), str(each.b), str(each.c))
+        if levels != before:
+            cells = [new if not sparse or new != old else "" for new, old in zip(levels, before, strict=True)]
+            lines.append(",".join([f"{each.t:.3f}", *cells]))
+            before = levels
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize("sparse", [False, True])
+def test_a_row_only_where_something_changes(sparse: bool) -> None:
+    """A level holds from its row, and a change has the time of its row."""
+    measured = measured_recording(table_of(Source("rec.csv", events(sparse=sparse))), ())
+    assert "a row only where something changes, 4 columns used of 4" in measured.sentence
+    assert measured.remarks == ()
+    rules = entries_of(measured)[1]["input"]
+    assert [each["delay"] for each in rules] == pytest.approx([1.2, 0.35], abs=STEP)  # type: ignore[attr-defined]
+    assert measured.outputs[1].changes[0].time == next(each.t for each in moments() if each.b)
+
+
+@pytest.mark.parametrize(("share", "rows"), [(0.3, 140), (0.6, 281), (0.999, 395)])
+def test_an_mcap_file_that_is_cut_off(share: float, rows: int, tmp_path: Path) -> None:
+    lines = ["time_s,position.0,in1,out1,out2", "{t:.3f},{x:.4f},{a},{b},{c}"]
+    path = write(Spelling("", lines, {"format": "mcap"}), tmp_path)
+    path.write_bytes(path.read_bytes()[: int(share * path.stat().st_size)])
+    found = read_compared(read_file(str(path)), [])
+    assert found.sentence.startswith(f"rec.mcap: {rows} of {rows} rows, ")
+    (remark,) = found.remarks
+    assert remark.message.startswith("the file is cut off, or damaged, after ")
+
+
+def test_damaged_rows_of_a_parquet_file(tmp_path: Path) -> None:
+    """Groups of rows are read one by one; without its end the file has no columns."""
+    lines = ["time,position.0,in1,out1,out2", "{d:%Y-%m-%d %H:%M:%S.%f},{x:.4f},{a},{b},{c}"]
+    path = write(Spelling("", lines, {"format": "parquet"}), tmp_path)
+    data = bytearray(path.read_bytes())
+    data[4:40] = bytes(36)
+    path.write_bytes(data)
+    found = read_compared(read_file(str(path)), [])
+    assert found.remarks[0].message == "1 of 4 groups of rows cannot be read"
+    path.write_bytes(data[:-20])
+    with pytest.raises(ProgramError) as caught:
+        read_file(str(path))
+    assert "a file that is cut off cannot be read" in caught.value.diagnostics[0].hint
 
 
 # Times by the name of their column, and the form of a cell.

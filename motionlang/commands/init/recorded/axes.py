@@ -66,6 +66,8 @@ def switches(
             if min(len(theirs), len(mine)) > turn:
                 mark = _mark(mine, turn, float(str(keys["index_every"]))) + theirs[turn] - mine[turn]
                 measured["index_every"] = round(abs(mark), PLACES)
+        if measured.get("index_every") == 0.0:  # the axis turned where it began, and passed no mark
+            del measured["index_every"]
         for key, value in measured.items():
             found[f"axis.{axis}.{key}"] = value
             comments[f"axis.{axis}.{key}"] = f"measured: the homing turns at {theirs[0]:.4g} uu"
