@@ -99,7 +99,7 @@ def clock(cells: Sequence[str], unit: str, factor: float | None, length: float |
     Without a factor and a unit, numbers are in the unit that fits the length of the run.
     """
     values = numbers(cells)
-    filled = sum(map(bool, cells))
+    filled = len([cell for cell in cells if cell])
     if 2 * int(np.isfinite(values).sum()) >= filled:
         return _of_numbers(values, unit, factor, length)
     found = _of_texts(cells)
@@ -178,7 +178,7 @@ def _of_texts(cells: Sequence[str]) -> ClockTimes:
     if not np.isfinite(seconds).any():
         return ClockTimes(seconds)
     rows = np.flatnonzero(np.isfinite(seconds))
-    has_date = sum("date" in _parts(cells[k]) for k in rows[:3]) > 0
+    has_date = any("date" in _parts(cells[k]) for k in rows[:3])
     is_local = not any(_has_zone(cells[k]) for k in rows[:3])
     changes: list[tuple[str, int]] = []
     if not has_date:

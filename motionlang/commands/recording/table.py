@@ -199,8 +199,9 @@ def _cells(line: str, separator: str) -> list[str]:
 
 def _has_values(cells: Sequence[str]) -> bool:
     """True if at least half of the cells that are not empty are values."""
-    found = [not isnan(number(cell)) or is_clock_time(cell) for cell in cells if cell]
-    return 2 * sum(found) >= len(found) > 0
+    filled = [cell for cell in cells if cell]
+    values = [cell for cell in filled if not isnan(number(cell)) or is_clock_time(cell)]
+    return 2 * len(values) >= len(filled) > 0
 
 
 def _names(head: Sequence[Sequence[str]], width: int) -> tuple[list[str], dict[str, str]]:
@@ -291,7 +292,7 @@ def _from_mcap(path: str, name: str) -> RecordedTable:
         except Exception:
             if not topics:
                 raise ProgramError.of("recording", f"{name} is not an MCAP file") from None
-            count = sum(map(len, topics.values()))
+            count = sum(len(each) for each in topics.values())
             remarks.append(warning(f"the file is cut off, or damaged, after {count_of(count, 'message')}"))
     if not topics:
         raise ProgramError.of("recording", f"{name} has no messages in JSON", hint="save it as CSV")

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import cycle
 from pathlib import Path
+from time import process_time
 
 import numpy as np
 import pytest
@@ -199,3 +201,17 @@ def test_no_spelling_changes_an_answer(
     assert [keys for keys, _ in found.rules] == [keys for keys, _ in right().rules]
     for (_, mine), (_, exact) in zip(found.rules, right().rules, strict=True):
         assert mine == pytest.approx(exact, abs=STEP)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("form", ["{t:.3f}", "{d:%d.%m.%Y %H:%M:%S.%f}"])
+def test_reading_takes_time_in_proportion_to_the_rows(form: str) -> None:
+    def seconds(count: int) -> float:
+        rows = [each._replace(t=k * STEP) for k, each in zip(range(count), cycle(moments()), strict=False)]
+        lines = ["time,position.0,in1,out1,out2", form + ",{x:.4f},{a},{b},{c}"]
+        source = Source("rec.csv", text_of(Spelling("", lines), rows))
+        begin = process_time()
+        measured_recording(table_of(source), ())
+        return process_time() - begin
+
+    assert min(seconds(40_000) for _ in range(2)) < 12.0 * min(seconds(8_000) for _ in range(3))
