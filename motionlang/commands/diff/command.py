@@ -156,6 +156,8 @@ examples:
             other = self.a
         if other is not None and is_recording(other):
             return self._recorded(other, tolerance)
+        if is_recording(self.a):
+            raise WrongOption("a recording as A needs another one as B; a program comes before its recording")
         if self.map or self.delay is not None:
             raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
         if self.scenarios:
