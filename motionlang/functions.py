@@ -236,8 +236,8 @@ def compare(
     from motionlang.commands.recording import mapped, read_file, table_of
 
     made = [mapped(f"{target}={column}") for target, column in (mapping or {}).items()]
-    table = table_of(recording) if isinstance(recording, Source) else read_file(os.fspath(recording))
     baseline = baseline_of(_run_of(program))
+    table = table_of(recording) if isinstance(recording, Source) else read_file(os.fspath(recording))
     return compare(baseline, read_compared(table, made, baseline), tolerances=tolerances, delay=delay)
 
 
