@@ -30,6 +30,8 @@ BEYOND = 2.0
 MAX_LINES, WITHIN = 4, 0.001
 # So many causes are in the name of a scenario.
 MAX_NAMED = 3
+# The longest name of a scenario.
+MAX_NAME = 40
 REVIEW = "The expectations are what the program does in it: check whether they are what it should do."
 
 
@@ -93,12 +95,13 @@ class Search:
         for each in transitions:
             tables = tables_of(each.visit.changed(each.causes))
             yield (
-                self._name(each.causes),
+                self._name(each.causes, (act.words for act in each.acts if not act.subject)),
                 settings(tables, each.visit.change_time + each.seconds + BEYOND),
             )
         for cycle, trial in exploration.variants():
             varied = next(each for each in cycle.transitions if each.causes)
-            yield self._name(varied.causes), settings(tables_of(trial.timeline), trial.time)
+            said = (each.text for each in trial.prints)
+            yield self._name(varied.causes, said), settings(tables_of(trial.timeline), trial.time)
 
     def _above(self, tables: Mapping[str, object]) -> dict[str, object]:
         """Return tables on top of the program's own: other inputs that it drives are off."""
@@ -108,14 +111,19 @@ class Search:
         inputs = [*entries(tables, "input"), *off]
         return {**tables, **({"input": inputs} if inputs else {})}
 
-    def _name(self, causes: Iterable[Change]) -> str:
-        """Return the name of a scenario by what changes in it, such as "guard-open-on"."""
+    def _name(self, causes: Iterable[Change], said: Iterable[str]) -> str:
+        """Return the name of a scenario by what changes in it and what it says then, such as "guard-open-on-alarm"."""
         parts = []
         for each in list(causes)[:MAX_NAMED]:
             name = self._names.get(("input", str(each.number)), "") if each.table == "input" else ""
-            text = str(each).replace(each.subject, name) if name else str(each)
-            parts.append(slug(text))
-        return "-and-".join(parts)
+            parts.append(slug(str(each).replace(each.subject, name) if name else str(each)))
+        words = "-and-".join(parts).split("-") + slug(_wording(next(iter(said), ""))).split("-")
+        name = ""
+        for word in filter(None, words):
+            if len(name) + 1 + len(word) > MAX_NAME:
+                break
+            name += f"-{word}" if name else word
+        return name.removesuffix("-and")
 
     def _try(self, name: str, settings: dict[str, object]) -> Iterator[SuggestedWorld]:
         """Run a world, and yield it if it reaches something new and its expectations hold."""
@@ -142,7 +150,7 @@ class Search:
         """Return the text of a scenario that `verify` passes, without prints if it must be; None if it does not."""
         program = self.exploration.program
         for prints in (True, False):
-            text = scenario_text(program, suggestion, result, self.own, prints)
+            text = scenario_text(program, suggestion, result, prints)
             above = read_machine(Source(f"{suggestion.name}.toml", text), is_layer=True)
             expected: list[Entry] = above.pop("expect", [])  # type: ignore[assignment]
             try:
@@ -154,10 +162,8 @@ class Search:
         return None
 
 
-def scenario_text(
-    program: Program, world: SuggestedWorld, result: Run, own: Mapping[str, object], has_prints: bool
-) -> str:
-    """Return a world as a scenario of a program with `own` settings; its results are the expectations."""
+def scenario_text(program: Program, world: SuggestedWorld, result: Run, has_prints: bool) -> str:
+    """Return a world as a scenario of a program; its results are the expectations."""
     lines = ", ".join(ranges(world.reaches))
     tables = [key for key in world.settings if key in TABLES]
     reaches = f"lines {lines}" if lines else "more"
@@ -165,7 +171,7 @@ def scenario_text(
     head = f"A world of {name}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"
     parts = ["".join(f"# {line}\n" for line in wrap(head, 98)), "\n"]
     added = {key: value for key, value in world.settings.items() if key not in tables}
-    stop = {} if any(key.startswith("run.stop.") for key in own) else ending(result)
+    stop = ending(result)
     added |= {f"run.stop.{key}": value for key, value in stop.items()}
     parts += [f"{key} = {toml_value(value)}\n" for key, value in sorted(added.items())]
     for table in tables:
@@ -187,7 +193,8 @@ def _expected(result: Run, stops: bool, has_prints: bool) -> Iterator[Entry]:
     for code in dict.fromkeys(
         each.code for each in result.diagnostics if each.severity == "error" and not stops
     ):
-        yield {"diagnostic": code}
+        if code != "machine-file":  # that is an error of a file, and nothing that the machine does
+            yield {"diagnostic": code}
     if has_prints:
         for text in list(dict.fromkeys(filter(None, map(_wording, result.output))))[-MAX_LINES:]:
             yield {"prints": text}

@@ -27,11 +27,15 @@ _WORDS = {
     "analogue output": "dac|ao|aout|analogue? out(?:put)?s?",
     "axis": "ax(?:is|es)",
     "register": "r(?:eg(?:ister)?s?)?",
+    "comms element": "comms",
+    "network data": "net ?data",
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
 # A word that begins a list, with its first number: "IN 0", "in1", "out 33".
 _BEGIN = re.compile(rf"(?:^|(?<=\s)|(?<=[,;|.]))(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
-_ITEM = re.compile(r"(?<![\w.])(?P<number>\d{1,3})\)?(?:\s*[-=:]\s*|\s+)(?P<name>[A-Za-z].*)", re.DOTALL)
+_ITEM = re.compile(
+    r"(?<![\w.])(?P<number>\d{1,3})\)?(?P<sign>\s*[-=:]\s*(?:\d+\s+)?|\s+)(?P<name>[A-Za-z].*)", re.DOTALL
+)
 _UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
 # Where the name ends: at the next number of the list, at two blanks, or at a sign.
 _END = re.compile(
@@ -121,14 +125,22 @@ def _kind(match: re.Match[str]) -> str:
 
 
 def _items(text: str) -> Iterator[tuple[int, str]]:
-    """Yield numbers and names of a list."""
+    """Yield numbers and names of a list.
+
+    In a list without equal signs, `1 = automatic` explains a value of the item before it, and so does `00 = none`.
+    """
+    has_signs: bool | None = None
     while (match := _ITEM.search(text)) is not None:
-        rest = match["name"]
+        rest, is_equal = match["name"], "=" in match["sign"]
         end = _END.search(rest)
-        name = (rest[: end.start()] if end else rest).strip(" .-*")
+        name = (rest[: end.start()] if end else rest).strip(" .*")
+        if not re.search(r"\w ?[-+]$", name) or (end is not None and rest[end.end() :][:1].isdigit()):
+            name = name.rstrip(" -")  # "jog -" has its sign
         if "(" in name and ")" not in name:
             name = name.partition("(")[0].rstrip()
-        if name and not _UNITS.match(name):
+        has_signs = is_equal if has_signs is None else has_signs
+        is_value = (is_equal and not has_signs) or re.match(r"0\d", match["number"])
+        if name and not _UNITS.match(name) and not is_value:
             yield int(match["number"]), name[:MAX_NAME]
         bracket = rest.find(")") + 1 if "(" in rest[: len(name) + 2] and "(" not in name else len(name)
         text = rest[max(bracket, len(name)) :]

@@ -39,6 +39,11 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
         ("REM OUT1 heat OUT2 knife OUT3 lamp", "output 1 heat, output 2 knife, output 3 lamp"),
         ("Rem INPUT 4 guard OUTPUT 5 knife", "input 4 guard, output 5 knife"),
         ("; reg 24 pitch   reg 25 parts", "register 24 pitch, register 25 parts"),
+        (
+            "' IN0 key switch, 1 = automatic   IN5 jog +   IN6 jog -",
+            "input 0 key switch, input 5 jog +, input 6 jog -",
+        ),
+        ("' IN1 jog X+ IN2 jog X- IN3 recipe, 00 = none", "input 1 jog X+, input 2 jog X-, input 3 recipe"),
         ("' wait 5 seconds for the 2 clamps", ""),
         ("' Rev C  11/2003", ""),
     ],

@@ -58,7 +58,8 @@ def with_entries(
     An input entry replaces all entries of its channel in the machine file. An answer to any INPUT replaces
     all answers; an answer with a prompt replaces those with the same prompt.
     """
-    return layered(settings, entries(settings, inputs, analog, answers, keys))
+    stop = {key: value for key, value in settings.items() if key.startswith("run.stop.")}
+    return stop | layered(settings, entries(settings, inputs, analog, answers, keys))
 
 
 def check_inputs_are_read(

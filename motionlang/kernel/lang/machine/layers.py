@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.machine.keys import ABOUT, DRIVES, NAMED, STOPS
+from motionlang.kernel.lang.machine.keys import ABOUT, DRIVES, NAMED
 from motionlang.kernel.tools import nearest
 
 Entry = Mapping[str, object]
@@ -19,11 +19,10 @@ def layered(below: Mapping[str, object], above: Mapping[str, object]) -> dict[st
     """Merge the settings of two machine files; those of `above` take precedence.
 
     An entry such as `[[input]]` of channel 3 replaces all entries of that channel. An input of `above` may
-    refer to its channel by the name that `below` gives it. Raises ProgramError for a name that is not there.
+    refer to its channel by the name that `below` gives it. What stops the run of `below` stops no run of another
+    world: `run.stop` is that of `above` or none. Raises ProgramError for a name that is not there.
     """
-    out = dict(below)
-    if any(key in above for key in STOPS):  # one thing ends a run
-        out = {key: value for key, value in out.items() if not key.startswith("run.stop.")}
+    out = {key: value for key, value in below.items() if not key.startswith("run.stop.")}
     for key, value in above.items():
         under = below.get(key)
         if key in NAMED and isinstance(value, list):
