@@ -86,8 +86,8 @@ def test_no_note_on_init_if_it_does_not_help(program: str, given: list[str], cel
     ("program", "given", "hint"),
     [
         ("a.mnt", "WAIT = 700\nPAUSE INX(2) = 0 And INX(4)", "--input 2=0@1.2 --input 4=1@1.2 end it"),
-        ("a.mnt", "PAUSE INKEY = 65 And INX(2)", "--input 2=0@0.5 --keys R@0.5 change it"),
-        ("a.mnt", "PAUSE ADC(2) > 10", "--analog 2=25@0.5 changes it"),
+        ("a.mnt", "PAUSE INKEY = 65 And INX(2)", "--keys A@0.5 ends it"),
+        ("a.mnt", "PAUSE ADC(2) > 10", "--analog 2=15@0.5 ends it"),
         ("a.mcl", "WN2,WN7", "--input 7=1@0.5 ends it"),
         ("a.mcl", "2MN,2VM,2GO,2FE0", "the machine file says where it is: axis.2.home_switch"),
     ],

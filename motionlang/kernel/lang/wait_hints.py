@@ -13,6 +13,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.keyword import BANK
+from motionlang.kernel.lang.machine.operator import ENTER
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
 SOON = 0.5
 # A hint names so many inputs.
 MAX_NAMED = 3
+# The levels and the keys that are tried.
+LEVELS = range(101)
+KEYS = (*map(chr, range(33, 127)), "\r")
 
 
 def what_ends(
@@ -55,6 +59,7 @@ def what_ends(
     if not channels and driven == ["input"]:
         channels = _of_bank(program, machine, task, wait)
     options = []
+    is_known = True
     if channels:
         options += [
             f"{dash}input {each}={int(not levels.get(each, 0))}@{at}" for each in channels[:MAX_NAMED]
@@ -65,16 +70,25 @@ def what_ends(
         options.append(f'{dash}answer "{question}=1"' if question else f"{dash}answer 1")
         driven = ["answer"]
     elif "key" in driven:
-        options.append(f"{dash}keys R@{at}")
+        key = _key_that_ends(machine, wait)
+        is_known = key is not None
+        options = [*([] if is_known else options), f"{dash}keys {key or 'R'}@{at}"]
     elif "analogue" in driven:
         channel = next((n for kind, n in leaves if kind == "analogue" and n is not None), 0)
-        options.append(f"{dash}analog {channel}=25@{at}")
+        level = _level_that_ends(machine, wait, channel)
+        is_known = level is not None
+        options = [
+            *([] if is_known else options),
+            f"{dash}analog {channel}={25 if level is None else level}@{at}",
+        ]
+    if is_known and len(options) == 1 and {"key", "analogue"} & set(driven):
+        driven = [each for each in driven if each != "input"]
     if unarmed and not options:
         return unarmed
     entries = " or ".join(each if "." in each else f"[[{each}]]" for each in driven)
     if options:
-        # A key or a level is an example: the program may wait for another one.
-        verb = "change" if {"key", "analogue"} & set(driven) else "end"
+        # A key or a level of which the wait does not end is an example: the program may wait for another one.
+        verb = "end" if is_known else "change"
         verb += "s" * (len(options) == 1)
         return f"{' '.join(options)} {verb} it, as does {entries} of the machine file"
     if any("." in each for each in driven):
@@ -98,8 +112,35 @@ def _of_bank(program: Program | None, machine: Machine, task: Task, wait: Wait) 
 
 def _would_end(machine: Machine, wait: Wait, channels: Iterable[int]) -> bool:
     """True if a wait were over with some inputs changed."""
-    with machine.controller.inputs.supposing(channels):
+    inputs = machine.controller.inputs
+    with inputs.supposing({each: 1 - inputs.present(each) for each in channels}):
         return wait.ready()
+
+
+def _level_that_ends(machine: Machine, wait: Wait, channel: int) -> int | None:
+    """Return the level of an analogue input, in percent, that ends a wait, the nearest multiple of 5 if one does."""
+    controller = machine.controller
+    present = controller.analogue_inputs.present(channel)
+    for level in sorted(LEVELS, key=lambda each: (each % 5 != 0, abs(each - present))):
+        with controller.inputs.supposing({}), controller.analogue_inputs.supposing({channel: level}):
+            if wait.ready():
+                return int(level)
+    return None
+
+
+def _key_that_ends(machine: Machine, wait: Wait) -> str | None:
+    """Return the key that ends a wait, as the option has it; None if no single key does."""
+    operator = machine.operator
+    before = operator.keys
+    try:
+        for key in KEYS:
+            operator.keys = [ord(key)]
+            with machine.controller.inputs.supposing({}):
+                if wait.ready():
+                    return f"'{ENTER}'" if key == "\r" else key
+    finally:
+        operator.keys = before
+    return None
 
 
 def what_frees(dialect: Dialect, program: Program | None, machine: Machine, task: Task, wait: Wait) -> str:

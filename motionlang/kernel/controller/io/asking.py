@@ -407,7 +407,7 @@ class Asking:
                 for count in range(1, MAX_CHANGES + 1):
                     found = []
                     for changed in combinations(sorted(read), count):
-                        with inputs.supposing(changed):
+                        with inputs.supposing({each: 1 - inputs.present(each) for each in changed}):
                             if bool(condition()) is not result:
                                 found.append(changed)
                     if found:

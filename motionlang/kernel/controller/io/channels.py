@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 
 from motionlang.kernel.controller.clock import Clock
@@ -80,10 +80,10 @@ class Channels:
         return True
 
     @contextmanager
-    def supposing(self, changed: Iterable[int]) -> Iterator[None]:
-        """Give some digital channels their other level in the block; no listener is called, and nothing is logged."""
+    def supposing(self, values: Mapping[int, float]) -> Iterator[None]:
+        """Give some channels other values in the block; no listener is called, and nothing is logged."""
         before, self.is_supposed = self._values, True
-        self._values = before | {each: 1 - before.get(each, 0) for each in changed}
+        self._values = before | dict(values)
         try:
             yield
         finally:
