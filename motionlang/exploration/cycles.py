@@ -55,6 +55,16 @@ class MachineCycle:
         return tuple(each.source for each in self.transitions)
 
     @property
+    def said(self) -> list[str]:
+        """What is printed in it, in order."""
+        return [act.words for each in self.transitions for act in each.acts if not act.subject]
+
+    @property
+    def is_wrong(self) -> bool:
+        """True if it prints something, and each line says that something is wrong: a reject, an alarm."""
+        return bool(self.said) and all(wrong([each]) for each in self.said)
+
+    @property
     def repeats(self) -> bool:
         """True if it returns to its first state; False if it is one run of the program."""
         return not self.transitions or self.transitions[-1].target is not None

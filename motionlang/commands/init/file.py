@@ -45,8 +45,8 @@ SCENARIO = """\
 run.until = {until:.10g}    # {limit}
 {stop}"""
 INPUTS = """
-# Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`; `every` repeats
-# it, `value = 0` inverts an input.
+# Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`, `asked` the time
+# after which it changes once the program waits for it; `value = 0` inverts an input.
 """
 ANALOGUE = """
 # Analogue inputs, in percent.
@@ -96,6 +96,10 @@ STATUS = """
 [[expect]]
 status = "{status}"
 """
+PRINTS = """
+[[expect]]
+prints = {text}
+"""
 FAULT = """
 # The program stops with an error in this machine, so there is no [[expect]] for `motionlang verify` yet.
 """
@@ -133,7 +137,9 @@ def _cycles(draft: Draft) -> str:
     lines = [f"# cycle: {cycle_text(exploration, chosen, None if cycle is None else cycle.period)}"]
     for number, each in enumerate(found, start=1):
         if each is not chosen and len(lines) < MAX_LINES:
-            lines.append(f"#   --cycle {number}: {cycle_text(exploration, each)}")
+            said = dict.fromkeys(each.said[-MAX_LINES:])
+            prints = f", prints {', '.join(said)}" if said else ""
+            lines.append(f"#   --cycle {number}: {cycle_text(exploration, each)}{prints}")
     return "".join(["#\n", *(f"{line}\n" for line in lines)])
 
 
@@ -196,9 +202,11 @@ def _stop(result: Run) -> dict[str, object]:
 
 
 def _status(result: Run) -> str:
-    """Return the expected outcome of a run."""
-    if _stop(result):
-        return STATUS.format(status="stopped")
+    """Return the expected outcome of a run: how it ends, and what it prints in each cycle."""
+    stop = _stop(result)
+    if stop:
+        prints = PRINTS.format(text=toml_value(stop["prints"])) if "prints" in stop else ""
+        return STATUS.format(status="stopped") + prints
     return STATUS.format(status=result.status) if result.status in ("ended", "until") else FAULT
 
 

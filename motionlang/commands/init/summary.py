@@ -32,6 +32,11 @@ def motionless(structure: Structure, result: Run) -> bool:
     return bool(first_move(structure)) and not len(result.machine.log.moves)
 
 
+def is_wrong(draft: Draft) -> bool:
+    """True if all that the machine says in its cycle is that something is wrong."""
+    return draft.world.cycle.is_wrong
+
+
 def notes(structure: Structure, draft: Draft) -> list[str]:
     """Return one line for each thing that an engineer checks first."""
     result, exploration = draft.run, draft.exploration
@@ -52,10 +57,21 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     found += _unused(result)
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
+    if is_wrong(draft):
+        said = ", ".join(dict.fromkeys(draft.world.cycle.said))
+        missed = _lines(never_begun(structure, exploration))
+        found.append(f"no good piece was found: the best cycle prints {said}; not reached: {missed}")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
         found += _stays(exploration)
     return found
+
+
+def never_begun(structure: Structure, exploration: Exploration) -> list[int]:
+    """Return the lines with statements that no trial has reached."""
+    missed = structure.statements.keys() - exploration.begun
+    begun = {structure.line(at) for at in exploration.begun}
+    return sorted({structure.line(at) for at in missed if not structure.statements[at].is_silent} - begun)
 
 
 def _stays(exploration: Exploration) -> list[str]:

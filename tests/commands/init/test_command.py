@@ -468,3 +468,16 @@ def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
         {"channel": 2, "value": 1, "at": 2.0},
     ]
     assert [each.get("guess") for each in found["answer"]] == [None, True]  # type: ignore[attr-defined]
+
+
+def test_a_machine_that_only_rejects_is_no_success(cell: Cell) -> None:
+    """Nothing in the world makes a good piece: the sum of the count never comes to 3."""
+    cell.write(
+        "old.mnt",
+        "Dim k As Integer\nLoop\nPause INX(1)\nMOVER(0) = 5 : GO(0) : Pause IDLE(0)\n"
+        'If k = 3 Then Print "part" : OUTX(3) = 1\nPrint "reject"\nPause INX(1) = 0\nEnd Loop\n',
+    )
+    ran = cell("init", "old.mnt", "--format", "none")
+    assert ran.status == 1
+    assert "note: no good piece was found: the best cycle prints 'reject'; not reached: " in ran.err
+    assert cell("verify", "old.mnt").status == 0
