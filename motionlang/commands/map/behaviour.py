@@ -66,6 +66,7 @@ class StateRow:
     statement: str
     reads: Sequence[str]
     transitions: Sequence[TransitionRow]
+    is_in_cycle: bool
 
 
 @dataclass(eq=False, slots=True)
@@ -163,7 +164,7 @@ def behaviour_of(
     words = _Words(exploration, structure, names)
     return MachineBehaviour(
         exploration,
-        [words.state(each) for each in exploration.nodes],
+        words.states(),
         words.handlers(),
         words.choices(),
         _joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time"))),
@@ -199,15 +200,61 @@ class _Words:
         """Return the name of a state: its lines, with the calls that lead there."""
         return self._names[state]
 
-    def state(self, node: StateNode) -> StateRow:
-        """Return a state with what leads on from it, but for handlers."""
-        shown = [each for each in kept(node.transitions) if not self.handler(each)]
-        state = node.state
+    def states(self) -> list[StateRow]:
+        """Return the states, those of the cycle first; of those at the same place one, with what makes a difference."""
+        places: dict[RestState | None, list[StateNode]] = {}
+        for node in self.exploration.nodes:
+            places.setdefault(_place(node.state), []).append(node)
+        cycle = {_place(state): None for state in self.exploration.world.cycle.states}
+        first = dict.fromkeys((None, *cycle, *places))
+        return [self.state(places[place], place in cycle) for place in first if place in places]
+
+    def state(self, nodes: Sequence[StateNode], is_in_cycle: bool) -> StateRow:
+        """Return a state with what leads on from it, but for handlers; `nodes` differ in what the program remembers."""
+        found: dict[tuple[object, ...], tuple[TransitionRow, list[StateNode]]] = {}
+        for node in nodes:
+            shown = [each for each in kept(node.transitions) if not self.handler(each)]
+            for each in shown:
+                row = self.way(each, shown)
+                found.setdefault((row.until, row.to, each.does), (row, []))[1].append(node)
+            for row in self.refused(node):
+                found.setdefault((row.until, row.to, *map(without_figures, row.then)), (row, []))[1].append(
+                    node
+                )
+        rows = list(found.values())
+        decides = [
+            self.deciding(
+                seen,
+                [
+                    each
+                    for other, its in rows
+                    if other is not row and other.until == row.until
+                    for each in its
+                ],
+            )
+            for row, seen in rows
+        ]
+        for (row, _), text in zip(rows, decides, strict=True):
+            row.until += f", with {text}" if text else ""
+        transitions = [row for row, _ in rows]
+        state = nodes[0].state
         if state is None:
-            return StateRow("power-up", "", (), [self.way(each, shown) for each in shown])
-        reads = [self.names[each] for each in self.exploration.reads(state)]
-        transitions = [*(self.way(each, shown) for each in shown), *self.refused(node)]
-        return StateRow(self.lines(state), statements_of(state, self.structure), reads, transitions)
+            return StateRow("power-up", "", (), transitions, is_in_cycle)
+        reads = dict.fromkeys(
+            self.names[each] for node in nodes for each in self.exploration.reads(node.state or ())
+        )
+        statement = statements_of(state, self.structure)
+        return StateRow(self.lines(state), statement, list(reads), transitions, is_in_cycle)
+
+    def deciding(self, nodes: Iterable[StateNode], others: Iterable[StateNode]) -> str:
+        """Return the variable that some states have with other values than others, such as "good = 0"; "" for none."""
+        mine, theirs = (list(map(_memory, found)) for found in (nodes, others))
+        for number in mine[0] if theirs else ():
+            values = dict.fromkeys(each.get(number) for each in mine)
+            if not values.keys() & {each.get(number) for each in theirs}:
+                shown = (f"{each:.6g}" if isinstance(each, float) else str(each) for each in values)
+                return f"{self.structure.variables.get(number, '?')} = {' or '.join(shown)}"
+        return ""
 
     def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
         to = "the end" if each.target is None else self.lines(each.target)
@@ -284,7 +331,9 @@ class _Words:
                 found.setdefault(key, HandlerRow(unit, start, then, {}, to)).states[
                     self.lines(node.state)
                 ] = None
-        return sorted(found.values(), key=lambda each: (each.unit, each.start, -len(each.states)))
+        return sorted(
+            found.values(), key=lambda each: (-len(each.states), each.unit, len(each.start), each.start)
+        )
 
     def choices(self) -> list[ChoiceRow]:
         """Return the keys, answers and numbers of a host with which lines move an axis that no transition runs."""
@@ -302,6 +351,16 @@ class _Words:
                     instead = " and ".join(map(self.names.change, each.causes))
                     found.append(ChoiceRow(instead, self.lines(each.source), acts))
         return found
+
+
+def _place(state: RestState | None) -> RestState | None:
+    """Return a state without what the program remembers."""
+    return None if state is None else tuple(each._replace(memory=()) for each in state)
+
+
+def _memory(node: StateNode) -> dict[int, object]:
+    """Return the values of the variables that a program remembers in a state, by their numbers."""
+    return dict(pair for place in node.state or () for pair in place.memory)
 
 
 def _after(each: Transition) -> list[Act]:

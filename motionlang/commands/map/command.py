@@ -54,6 +54,7 @@ examples:
     unit: str | None = option(
         "NAME", "show only the statements of one sub, task, handler or macro, and what each waits for"
     )
+    all: bool = flag("show all ways of all states; the text has those of the cycle and the next ones")
     no_run: bool = flag("show only what the text says, without playing the program")
 
     def check(self) -> None:
@@ -75,7 +76,7 @@ examples:
         if self.unit is not None:
             text = unit_text(made, _unit(made, self.unit), width=width, colour=colour)
         else:
-            text = render(made, width=width, colour=colour)
+            text = render(made, width=width, colour=colour, has_all=self.all)
         if self.format in ("text", "json", "csv", "none"):
             self.show(document(made), text)
         else:

@@ -177,7 +177,8 @@ class Unit:
 class Structure:
     """The structure of a program.
 
-    `writes` are the offsets of the names of variables that a statement assigns to. `has_one_series` is True if inputs
+    `writes` are the offsets of the names of variables that a statement assigns to. `variables` are the names of the
+    shared ones, by their numbers in `Uses`. `has_one_series` is True if inputs
     and outputs have one series of numbers, so that an output can be read as an input is.
     """
 
@@ -186,6 +187,7 @@ class Structure:
     graph: StepGraph
     units: Sequence[Unit]
     writes: frozenset[int]
+    variables: Mapping[int, str] = field(default_factory=dict)
     has_one_series: bool = False
 
     @cached_property

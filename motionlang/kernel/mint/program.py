@@ -225,7 +225,7 @@ class MintProgram(Program):
         return blocks_of(self.tree)
 
     @cached_property
-    def _steps(self) -> dict[Function, Steps]:
+    def _written(self) -> tuple[dict[Function, Steps], dict[int, str]]:
         from motionlang.kernel.mint.steps.structure import written
 
         self.require()
@@ -235,7 +235,7 @@ class MintProgram(Program):
     def graph(self) -> StepGraph:
         from motionlang.kernel.mint.steps.structure import graph_of
 
-        return graph_of(self.checked.names, self._steps)
+        return graph_of(self.checked.names, self._written[0])
 
     @cached_property
     def _facts(self) -> FactsReader:
@@ -247,7 +247,8 @@ class MintProgram(Program):
 
         if self.given:  # the steps need a value, and the text has one
             return self.with_values(self.values).structure
-        return structure(self._facts, self._steps, self.graph)
+        steps, variables = self._written
+        return structure(self._facts, steps, self.graph, variables)
 
     @property
     def warnings(self) -> list[Diagnostic]:

@@ -224,3 +224,27 @@ def test_a_program_with_errors_has_no_map(program: Cell) -> None:
     ran = program("map", "b.mnt")
     assert (ran.status, ran.out) == (1, "")
     assert "error[syntax]" in ran.err
+
+
+def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None:
+    """Both keys lead to the same wait, which goes on as the key was."""
+    cell.write(
+        "a.mnt",
+        "Dim k As Integer, kind As Integer\nLoop\n  Repeat\n    k = INKEY\n  Until k = 49 Or k = 50\n"
+        "  kind = k - 48\n  Pause INX(1)\n  If kind = 1 Then MOVER(0) = 20 : GO(0)\n  If kind = 2 Then MOVER(1) = 30 : GO(1)\n"
+        "  Pause IDLE(0) And IDLE(1)\n  Pause INX(1) = 0\nEnd Loop\n",
+    )
+    shown = " ".join(cell("map", "a.mnt").out.split())
+    assert shown.count("waits in 7: Pause INX(1)") == 1
+    assert "input 1 on, with kind = 1 → " in shown
+    assert "input 1 on, with kind = 2 → " in shown
+
+
+def test_the_ways_of_a_large_machine_are_counted_beyond_the_first(cell: Cell) -> None:
+    keys = "".join(
+        f"If k = {65 + n} Then\nPrint {n}\nPause INX({n})\nPrint {n}\nPause INX({n}) = 0\nEnd If\n"
+        for n in range(14)
+    )
+    cell.write("a.mnt", f"Dim k As Integer\nLoop\nk = INKEY\n{keys}End Loop\n")
+    assert "--all shows them" in cell("map", "a.mnt").out
+    assert "--all shows them" not in cell("map", "a.mnt", "--all").out

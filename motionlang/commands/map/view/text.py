@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
+from math import inf
 from textwrap import wrap
 
 from motionlang.commands.map.behaviour import MachineBehaviour, StateRow, TransitionRow
@@ -17,6 +18,8 @@ from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
+# So many ways of states that are not in the cycle, and effects of handlers, are shown without --all.
+MAX_WAYS, MAX_HANDLERS = 24, 6
 MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_CYCLE_ROWS = 10, 5, 3, 40
 
 
@@ -38,15 +41,14 @@ def headline(made: ProgramMap) -> str:
     return f"{made.source.name}: {', '.join(parts)}"
 
 
-def render(made: ProgramMap, *, width: int, colour: bool = False) -> str:
-    """Return a map as text."""
+def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool = False) -> str:
+    """Return a map as text: the ways that matter, those of the cycle first, or all of them."""
     found = [headline(made)]
     if made.behaviour is not None:
         found += ["", *_cycle(made, made.behaviour, width, colour), "", styled("States", "bold", colour)]
         if len(made.behaviour.states) == 1:
             found.append("the program waits for nothing around it")
-        for state in made.behaviour.states:
-            found += _state(state, width, colour)
+        found += _states(made.behaviour.states, width, colour, inf if has_all else MAX_WAYS)
         if made.behaviour.choices:
             found += ["", styled("Choices", "bold", colour)]
         for choice in made.behaviour.choices:
@@ -54,10 +56,13 @@ def render(made: ProgramMap, *, width: int, colour: bool = False) -> str:
             found += _wrapped(text, "  ", width)
         if made.behaviour.handlers:
             found += ["", styled("Handlers", "bold", colour)]
-        for each in made.behaviour.handlers:
+        handlers = made.behaviour.handlers[: None if has_all else MAX_HANDLERS]
+        left = len(made.behaviour.handlers) - len(handlers)
+        for each in handlers:
             then = f": {_then(each.then)}" if each.then else ""
             text = f"{each.unit}: {each.start}, waiting in {', '.join(each.states)} → {each.to}{then}"
             found += _wrapped(text, "  ", width)
+        found += [f"  … {left} more: --all shows them"] if left else []
     for table in tables.of_text(made):
         found += ["", *table.lines(width, colour=colour)]
     return "\n".join(found) + "\n"
@@ -101,6 +106,20 @@ def _cycle(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: bo
         for each in world:
             found += _wrapped(each, "  ", width)
     return found
+
+
+def _states(states: Sequence[StateRow], width: int, colour: bool, most: float) -> Iterator[str]:
+    """Yield states with at most so many ways in all; those that are left out are counted."""
+    ways = 0
+    for number, state in enumerate(states):
+        if number and ways + len(state.transitions) > most and not state.is_in_cycle:
+            left = states[number:]
+            count = sum(len(each.transitions) for each in left)
+            yield ""
+            yield f"… {count_of(count, 'way')} more in {count_of(len(left), 'state')}: --all shows them"
+            return
+        ways += len(state.transitions)
+        yield from _state(state, width, colour)
 
 
 def _state(state: StateRow, width: int, colour: bool) -> list[str]:

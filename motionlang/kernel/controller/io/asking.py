@@ -289,6 +289,9 @@ class Asking:
             return
         now = self._clock.now
         if wait is not None:
+            polled = responder.polls.get((task, task.stack))
+            if polled is not None:  # the statement waits from now on
+                responder.drop(polled)
             query = responder.waits[task] = Query(task, wait, value, now, wait.ready)
             self._schedule(responder, query)
         else:

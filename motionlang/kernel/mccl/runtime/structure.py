@@ -76,7 +76,9 @@ def structure(
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.function == "store"
     )
-    return Structure(source, statements, graph, units, writes, has_one_series=True)
+    used = frozenset[int]().union(*(use.reads | use.sets for use in graph.uses if use is not None))
+    registers = {n: f"register {n}" for n in sorted(used) if n >= 0}
+    return Structure(source, statements, graph, units, writes, registers, has_one_series=True)
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:

@@ -52,6 +52,10 @@ class Places:
         index = self.index(symbol)
         return index if is_shared(symbol) else own(index)
 
+    def names(self) -> dict[int, str]:
+        """Return the names of the shared variables, by their numbers in `Uses`."""
+        return {index: symbol.name for symbol, index in self._indices.items() if is_shared(symbol)}
+
     def new_index(self, function: Function) -> int:
         """Return a further index in the list of a call."""
         size = self._sizes.get(function, 0)

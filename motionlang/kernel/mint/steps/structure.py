@@ -21,8 +21,13 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.source import Source
 
 
-def written(source: Source, names: Symbols, settings: Mapping[str, object]) -> dict[Function, Steps]:
-    """Return the steps of the functions of a checked program on a machine with these settings."""
+def written(
+    source: Source, names: Symbols, settings: Mapping[str, object]
+) -> tuple[dict[Function, Steps], dict[int, str]]:
+    """Return the steps of the functions of a checked program on a machine with these settings.
+
+    The second result has the names of its shared variables, by their numbers.
+    """
     environment = Environment(Machine(dict(settings)), Places())
     environment.prepare()
 
@@ -30,7 +35,8 @@ def written(source: Source, names: Symbols, settings: Mapping[str, object]) -> d
         return source.location(offset)[0]
 
     environment.line_of = line_of
-    return ProgramWriter(names, environment, line_of, {}).steps
+    steps = ProgramWriter(names, environment, line_of, {}).steps
+    return steps, environment.places.names()
 
 
 def graph_of(names: Symbols, steps: Mapping[Function, Steps]) -> StepGraph:
@@ -45,10 +51,11 @@ def structure(
     facts: FactsReader,
     steps: Mapping[Function, Steps],
     graph: StepGraph,
+    variables: Mapping[int, str],
 ) -> Structure:
     """Return the structure of a checked program."""
     units = sorted(_units(steps, graph, facts), key=lambda each: each.line)
-    result = Structure(facts.source, facts.statements, graph, units, facts.writes)
+    result = Structure(facts.source, facts.statements, graph, units, facts.writes, variables)
     for made in facts.statements.values():
         found = result.waits.at(made.at) if made.waits == "condition" else None
         if found is not None:
