@@ -45,6 +45,7 @@ SAME = (
     f"run {MINT}",
     f"run {MCCL} --format json",
     f"profile {MINT}",
+    f"certify {MINT}",
     f"check {MINT}",
     "help SPEED",
     "plan --distance 20 --time 0.6 --rule third",
@@ -54,7 +55,6 @@ SAME = (
 NEEDING = (
     (f"plot {MINT} x.png", "motionlang plot"),
     (f"trace {MINT} x.csv", "motionlang trace"),
-    (f"certify {MINT}", "motionlang certify"),
     (f"prove {MINT}", "motionlang prove"),
     (f"diff {MINT} {MINT}", "motionlang diff"),
     ("run scripts/mint/motor-tuned.mnt", "this run"),

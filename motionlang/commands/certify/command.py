@@ -5,35 +5,38 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from typing import ClassVar
 
 from motionlang.cli.command import argument
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.program_files import programs
+from motionlang.cli.run_command import Simulated
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.certify import CertifiedLimit, certificate, missing_limits, violations
-from motionlang.commands.certify.view import certificate_lines, limits_table
-from motionlang.commands.prove.checker import Proof
-from motionlang.commands.prove.command import Prove
-from motionlang.kernel import ProgramError, Source, machine_of, run
+from motionlang.commands.certify.motion import VerifiedMotion, verify_motion
+from motionlang.commands.certify.view import certificate_lines, conclusion_of, limits_table
+from motionlang.kernel import Diagnostic, ProgramError, Source, machine_of, run
 from motionlang.kernel import Run as Result
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, is_terminal, plain, wants_colour, width_of
 
 # Maximum programs without limits that are named.
 MAX_NAMED = 5
+# Profiles of an interrupted run up to which it is still certified: a report comes within a second of the signal.
+CERTIFIED_IN_TIME = 10_000
 
 
 @dataclass
-class Certify(Prove):
+class Certify(Simulated):
     """Report how far a run uses each limit of its machine; a folder has many programs."""
 
     title: ClassVar[str] = "certificate"
     epilog: ClassVar[str] = """\
 Each axis is checked against [axis.N.limits] of the machine file, and a table to
-sign is printed; the motion is verified, too.
+sign is printed. Other code verifies the motion: that it is continuous, ends at
+its targets, and is that of the log.
 
 exit status: 1 if a limit is exceeded, an axis that moved has none, or the run
 was cut off in its motion; or as in run
@@ -44,6 +47,9 @@ examples:
 """
     file: str = argument("FILE", "the program, or a folder with programs")
 
+    motion: VerifiedMotion | None = field(default=None, init=False, repr=False)
+    certificate: list[CertifiedLimit] = field(default_factory=list, init=False, repr=False)
+
     def run(self) -> int:
         return self._run_folder() if os.path.isdir(self.file) else super().run()
 
@@ -52,8 +58,6 @@ examples:
 
         Programs whose machine has no limits are named at the end.
         """
-        from motionlang.commands.prove.proof import proof  # with NumPy
-
         found, without, failed = programs([self.file]), [], 0
         if not found:
             sys.stderr.write(f"no programs in {self.file}\n")
@@ -61,7 +65,7 @@ examples:
         signed = 0
         for program in found:
             try:
-                result = run(program, until=self.until, overrides=self.overrides(), listener=self.listener)
+                result = run(program, until=self.until, overrides=self.overrides())
             except OSError as error:
                 complain([unreadable(str(error.filename or program), error)], None, program)
                 failed += 1
@@ -77,11 +81,9 @@ examples:
             if not any(".limits." in key for key in result.machine.settings):
                 without.append(os.path.relpath(program, self.file))
                 continue
-            found_proof = proof(result)
-            result.diagnostics += found_proof.violations
-            lines = certify(result, machine_of(program))
+            lines, motion = certify(result, machine_of(program))
             if self.format == "text":
-                made = certificate_text(result, lines, found_proof, machine_of(program)) + "\n"
+                made = certificate_text(result, lines, motion, machine_of(program)) + "\n"
                 sys.stdout.write(made if draws(sys.stdout) else plain(made))
             wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
             if result.diagnostics:
@@ -95,34 +97,44 @@ examples:
         return 1 if failed or not signed else 0
 
     def extend(self, result: Result) -> None:
-        super().extend(result)
-        self.certificate = certify(result, self.machine_path()) if self.proof is not None else []
-        if self.proof is not None:
-            result.findings["certificate"] = [each.as_dict() for each in self.certificate]
+        if result.crash is not None:
+            return
+        count = sum(len(axis.profiles) for axis in result.controller.axes.values())
+        if result.status == "interrupted" and count > CERTIFIED_IN_TIME:
+            message = f"the run was not certified: it ended after {count} profiles of motion"
+            hint = f"at most {CERTIFIED_IN_TIME} are certified after a signal, any number after --until"
+            result.diagnostics.append(Diagnostic("beyond-limit", message, hint=hint))
+            return
+        self.certificate, self.motion = certify(result, self.machine_path())
+        result.findings["certificate"] = [each.as_dict() for each in self.certificate]
 
     def document(self, result: Result) -> Document:
         return Document([limits_table(self.certificate)])
 
     def conclusion(self, result: Result, *, width: int, colour: bool) -> str:
-        if self.proof is None or not self.certificate or self.format != "text":
-            return super().conclusion(result, width=width, colour=colour)
-        return certificate_text(result, self.certificate, self.proof, self.machine_path())
+        if self.motion is None:
+            return ""
+        if not self.certificate or self.format != "text":
+            return f"{conclusion_of(self.motion)}\n"
+        return certificate_text(result, self.certificate, self.motion, self.machine_path())
 
 
-def certify(result: Result, machine: str | None) -> list[CertifiedLimit]:
-    """Return the certificate of a run; violations become diagnostics of the run."""
+def certify(result: Result, machine: str | None) -> tuple[list[CertifiedLimit], VerifiedMotion]:
+    """Return the certificate of a run and its verified motion; violations become diagnostics of the run."""
     lines = certificate(result.controller, result.machine.settings, result.time)
+    motion = verify_motion(result.controller, lines, result.time)
+    result.diagnostics += motion.violations
     result.diagnostics += violations(result, lines, partial(missing_limits, result.source.name, machine))
-    return lines
+    return lines, motion
 
 
 def certificate_text(
-    result: Result, lines: Sequence[CertifiedLimit], proof: Proof | None, machine: str | None
+    result: Result, lines: Sequence[CertifiedLimit], motion: VerifiedMotion, machine: str | None
 ) -> str:
     """Return the certificate as text for standard output."""
     width = width_of(sys.stdout) if is_terminal(sys.stdout) else 160
     text = _text_of(machine)
-    made = certificate_lines(result, lines, proof, text, width=width, colour=wants_colour(sys.stdout))
+    made = certificate_lines(result, lines, motion, text, width=width, colour=wants_colour(sys.stdout))
     return "\n".join(made) + "\n"
 
 

@@ -7,7 +7,7 @@ from hashlib import sha256
 from math import inf
 
 from motionlang.commands.certify import CertifiedLimit, omissions
-from motionlang.commands.prove.checker import Proof
+from motionlang.commands.certify.motion import VerifiedMotion
 from motionlang.kernel import Run
 from motionlang.kernel.tools import count_of
 from motionlang.kernel.version import __version__
@@ -39,7 +39,7 @@ VERDICTS = {"within": "", "exceeded": "exceeded", "unknown": "unknown: no motor 
 def certificate_lines(
     run: Run,
     lines: Sequence[CertifiedLimit],
-    proof: Proof | None,
+    motion: VerifiedMotion,
     machine: str,
     *,
     width: int,
@@ -47,23 +47,27 @@ def certificate_lines(
 ) -> list[str]:
     """Return the certificate as lines.
 
-    It has the table, the proof of the motion, the digests of the certified inputs and a signature line, or, if the run
+    It has the table, the verified motion, the digests of the certified inputs and a signature line, or, if the run
     does not cover all motion, what is missing.
     """
     within = sum(line.verdict == "within" for line in lines)
     out = [styled(f"limits of {run.source.name}", "bold", colour)]
     out += limits_table(lines).lines(width, colour=colour)
     out += ["", *_zeros(run, lines), f"{within} of {len(lines)} limits met"]
-    if proof is not None:
-        broken = len(proof.violations)
-        checked = ", ".join(count_of(count, name[:-1]) for name, count in proof.counts.items() if count)
-        out.append(f"motion verified: {checked or 'nothing moved'}" if not broken
-                   else f"the motion differs from the commands: {count_of(broken, 'violation')}")  # fmt: skip
+    out.append(conclusion_of(motion))
     out.append(
         f"program {_digest(run.source.text)}, machine file {_digest(machine)}, motionlang {__version__}"
     )
     missing = [f"not complete: {each}" for each in omissions(run, lines)]
     return [*out, "", *(missing or ["checked by ______________________________   date ______________"])]
+
+
+def conclusion_of(motion: VerifiedMotion) -> str:
+    """Return how much motion is verified, or the number of violations."""
+    if motion.violations:
+        return f"motion not verified: {count_of(len(motion.violations), 'violation')}"
+    checked = f"{count_of(motion.moves, 'move')}, {count_of(motion.pieces, 'piece')}"
+    return f"motion verified: {checked if motion.moves else 'nothing moved'}"
 
 
 def _zeros(run: Run, lines: Sequence[CertifiedLimit]) -> list[str]:

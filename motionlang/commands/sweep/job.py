@@ -12,6 +12,7 @@ from time import perf_counter
 from typing import Any
 
 from motionlang.commands.certify import certificate, missing_limits, violations
+from motionlang.commands.certify.motion import verify_motion
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
@@ -54,7 +55,7 @@ class SweepJob:
         self.names, self.keep = tuple(names), tuple(keep)
         self.settings, self.overrides = dict(settings), dict(overrides)
         self.worlds = {kind: {n: dict(s) for n, s in some.items()} for kind, some in worlds.items()}
-        self.until, self.prove, self.certify = until, prove or certify, certify
+        self.until, self.prove, self.certify = until, prove, certify
         self._digest = ""
 
     @property
@@ -181,6 +182,7 @@ class SweepWorker:
             diagnostics += proof(found).violations
         if self.job.certify and found.crash is None:
             lines = certificate(found.controller, found.machine.settings, found.time)
+            diagnostics += verify_motion(found.controller, lines, found.time).violations
             diagnostics += violations(found, lines, partial(missing_limits, "", "the machine file"))
         return problem_of(diagnostics) if diagnostics else None
 

@@ -13,7 +13,6 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.certify.command import certify
 from motionlang.commands.check.command import findings_of
 from motionlang.commands.diff.golden import differences, golden_files, same, update
-from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.scenarios import Scenario, scenario_files, unmet
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
@@ -58,12 +57,9 @@ def check_text(program: str) -> Verdict:
 
 def check_limits(program: str) -> Verdict:
     """Certify the limits of a program's machine, as `motionlang certify` does."""
-    from motionlang.commands.prove.proof import proof  # with NumPy
-
     verdict = Verdict(program, "certificate")
-    result = ran(verdict, ExpectedMotion)
+    result = ran(verdict)
     if result is not None:
-        result.diagnostics += proof(result).violations
         certify(result, machine_of(program))
         errors = [each for each in result.diagnostics if each.severity == "error"]
         if errors:
@@ -79,11 +75,11 @@ def has_limits(program: str) -> bool:
         return False
 
 
-def ran(verdict: Verdict, listener: type[ExpectedMotion] | None = None) -> Run | None:
+def ran(verdict: Verdict) -> Run | None:
     """Return the run of a program; None if it or its machine file cannot be read."""
     program = verdict.name
     try:
-        result = run(program, listener=listener)
+        result = run(program)
     except OSError as error:
         verdict.refuse([unreadable(str(error.filename or program), error)])
     except ProgramError as error:
