@@ -21,7 +21,6 @@ if TYPE_CHECKING:
         improve,
         map,
         profile,
-        prove,
         run,
     )
     from motionlang.kernel import (
@@ -74,7 +73,6 @@ __all__ = [
     "plan",
     "plan_trapezoid",
     "profile",
-    "prove",
     "run",
     "simulate",
     "sweep",
@@ -113,7 +111,6 @@ _HOMES = {
     "plan": "commands.plan",
     "plan_trapezoid": "kernel.planners",
     "profile": "functions",
-    "prove": "functions",
     "run": "functions",
     "simulate": "kernel.servo",
     "sweep": "commands.sweep",
@@ -124,7 +121,10 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Import a name on first use."""
         if name not in _HOMES:
-            raise AttributeError(f"module 'motionlang' has no attribute {name!r}")
+            from motionlang.cli.removed import REMOVED
+
+            instead = f": {REMOVED[name]}" if name in REMOVED else ""
+            raise AttributeError(f"module 'motionlang' has no attribute {name!r}{instead}")
         from importlib import import_module
 
         found: object = getattr(import_module(f"motionlang.{_HOMES[name]}"), name)

@@ -9,6 +9,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
+from motionlang.cli.removed import refuse_prove
 from motionlang.kernel import (
     DEFAULT_AXES,
     CheckedSettings,
@@ -33,7 +34,6 @@ if TYPE_CHECKING:
     from motionlang.commands.improve import Improvement
     from motionlang.commands.map.program_map import ProgramMap
     from motionlang.commands.profile.profile import TimeProfile
-    from motionlang.commands.prove.checker import Proof
     from motionlang.exploration import Exploration
 
 Program = str | os.PathLike[str] | Source
@@ -54,7 +54,7 @@ def run(
     keys: Given = (),
     show: Callable[[str], object] | None = None,
     nv: str | None = None,
-    prove: bool = False,
+    prove: None = None,
     log_size: float | None = None,
 ) -> Run:
     """Run a program on the virtual controller and return its `Run`.
@@ -66,9 +66,8 @@ def run(
     or for a program that never ends ten cycles and at least 60 s.
     `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
     events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
-    each text that the program prints. `nv` is a file that stores nonvolatile data between runs. With `prove` the run
-    stores the data that `motionlang.prove` needs. `log_size` is the disk space that the log may use, in gigabytes, by
-    default the file's `run.log` or 8.
+    each text that the program prints. `nv` is a file that stores nonvolatile data between runs. `log_size` is the
+    disk space that the log may use, in gigabytes, by default the file's `run.log` or 8.
 
     Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
     ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
@@ -76,11 +75,7 @@ def run(
     for name, value in (("until", until), ("log_size", log_size)):
         if value is not None and not value >= 0.0:
             raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
-    listener = None
-    if prove:
-        from motionlang.commands.prove.expected_motion import ExpectedMotion
-
-        listener = ExpectedMotion
+    refuse_prove(prove)
     made = run_program(
         _checked(program),
         dialect=dialect,
@@ -93,7 +88,6 @@ def run(
         keys=keys,
         show=show,
         nv=nv,
-        listener=listener,
         log_size=log_size,
     )
     if any(key.startswith("budget.") for key in made.machine.settings):
@@ -246,15 +240,19 @@ def certify(program: Program | Run) -> list[CertifiedLimit]:
 
     The result has an entry for each limit of each axis. `program` is a `Run`, or a program to run first. An entry has
     `reached`, `time` (s), `line`, `margin` and `verdict`: "within", "exceeded" or "unknown". An axis without limits has
-    no entry. Raises ValueError if the machine file has no limits, ProgramError for a program with errors, and the
-    errors of `run`.
+    no entry. The motion is verified, too: `Run.diagnostics` gets its violations. Raises ValueError if the machine
+    file has no limits, ProgramError for a program with errors, and the errors of `run`.
     """
     from motionlang.commands.certify import LIMITS, certificate
+    from motionlang.commands.certify.motion import verify_motion
 
     result = _run_of(program)
     lines = certificate(result.controller, result.machine.settings, result.time)
     if not lines:
         raise ValueError(f"the machine has no limits: axis.N.limits with {', '.join(LIMITS)}")
+    known = {each.message for each in result.diagnostics}
+    found = verify_motion(result.controller, lines, result.time).violations
+    result.diagnostics += [each for each in found if each.message not in known]
     return lines
 
 
@@ -277,18 +275,6 @@ def improve(
 
     program = program if isinstance(program, Source) else os.fspath(program)
     return improver_of(program, machine, cycle=cycle, also=also).improved(by, edits)
-
-
-def prove(program: Program | Run) -> Proof:
-    """Check the motion of a run against the commanded limits.
-
-    The check is independent of the planner. `program` is a `Run` made with `prove=True`, or a program to run first. The
-    result has `holds`, `violations` and `worst`, the largest used fraction of each limit. Raises ValueError for a run
-    without `prove`, and the errors of `run`.
-    """
-    from motionlang.commands.prove.proof import proof
-
-    return proof(program if isinstance(program, Run) else run(program, prove=True))
 
 
 def _run_of(program: Program | Run) -> Run:

@@ -92,16 +92,21 @@ def _prove_every_run() -> None:
         pace: Callable[[float], None] | None,
         outside: Outside | None,
     ) -> None:
-        from motionlang.commands.prove.checks import prove
-        from motionlang.commands.prove.expected_motion import ExpectedMotion
+        from motionlang.kernel.controller import MotionListener
         from motionlang.kernel.tracks import Recorded
+        from tests.proof.checks import prove
+        from tests.proof.expected_motion import ExpectedMotion
 
         # A debugger goes back in a run, which the motion that is expected so far does not.
-        is_proved = not isinstance(result.listener, ExpectedMotion) and result.machine.hook is None
+        is_proved = (
+            not isinstance(result.controller.motion_listener, ExpectedMotion) and result.machine.hook is None
+        )
         expected = ExpectedMotion(result.controller) if is_proved else None
         if expected is not None:
             result.controller.motion_listener = expected
         execute(result, compiled, until, pace, outside)
+        if expected is not None:
+            result.controller.motion_listener = MotionListener()
         if expected is not None and not expected.is_full:
             found = prove(Recorded(result.controller), expected, result.machine.clock.now).violations
             assert not found, [f"{each.line}: {each.message}" for each in found]

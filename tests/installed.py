@@ -38,7 +38,6 @@ HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export", "str
 # Real uses of every command, and in brackets the extra that each needs.
 USES = """\
 run move.mnt
-prove move.mnt --format json
 profile move.mnt
 trace move.mnt move.csv --rate 100
 trace move.mnt move.npz

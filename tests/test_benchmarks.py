@@ -10,9 +10,8 @@ import pytest
 from benchmarks import __main__ as driver
 from benchmarks.programs import PROGRAMS, SHIFT, Program
 from benchmarks.styles import COMPUTING, STYLES
-from motionlang import prove
-from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.kernel import Source, run
+from motionlang.kernel import Source
+from tests import proof
 
 
 @pytest.mark.slow
@@ -63,7 +62,7 @@ def test_an_unknown_name_is_an_error(capsys: pytest.CaptureFixture[str]) -> None
 
 @pytest.mark.slow
 def test_the_shift_is_20_000_moves_in_eight_hours() -> None:
-    result = run(Source("shift.mnt", SHIFT), machine={}, listener=ExpectedMotion)
+    result = proof.run(Source("shift.mnt", SHIFT), machine={})
     assert len(result.machine.log.moves) == 20_000
     assert 28_700 < result.time < 28_900
-    assert prove(result).holds
+    assert proof.prove(result).holds

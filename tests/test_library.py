@@ -48,7 +48,6 @@ CALLS: dict[str, Callable[[], object]] = {
     ),
     "improve": lambda: motionlang.improve(FEED, machine=LIMITS),
     "certify": lambda: motionlang.certify(motionlang.run(FEED, machine=LIMITS)),
-    "prove": lambda: motionlang.prove(FEED),
     "dialect": lambda: motionlang.dialect("mint"),
     "hold": lambda: motionlang.hold(0.0),
     "plan_trapezoid": lambda: motionlang.plan_trapezoid(0.0, 200.0, 100.0, 1000.0, 1000.0),
@@ -161,7 +160,8 @@ def test_internal_parameters_are_not_public() -> None:
         (lambda: motionlang.diff(FEED, {}), "not a report"),
         (lambda: motionlang.compare(FEED, FEED, {"position.0": "a*b"}), "multiply"),
         (lambda: motionlang.certify(FEED), "axis.N.limits with position, speed"),
-        (lambda: motionlang.prove(motionlang.run(FEED)), "prove=True"),
+        (lambda: motionlang.run(FEED, prove=True), "certify verifies the motion"),  # type: ignore[arg-type]
+        (lambda: motionlang.sweep(FEED, {"x": [1]}, prove=True), "certify verifies the"),  # type: ignore[arg-type]
         (lambda: motionlang.sweep(FEED, {"axis.0.limits.speed": [1.0]}, keep=["tim"]), "time"),
         (lambda: motionlang.run(FEED).trace(axes=[9]), "this controller has 0, 1"),
         (lambda: motionlang.run(FEED).trace(quantities=["speed"]), "position, velocity"),

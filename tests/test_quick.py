@@ -63,6 +63,6 @@ def test_collecting_does_not_load_the_proof() -> None:
         "import sys, pytest\n"
         "status = pytest.main(['-p', 'no:xdist', '-p', 'no:cacheprovider', '--collect-only', '-qq', '--prove',"
         " 'tests/kernel/planners'])\n"
-        "sys.exit(status or any(name.startswith('motionlang.commands.prove') for name in sys.modules))"
+        "sys.exit(status or any(name.startswith('tests.proof.') for name in sys.modules))"
     )
     subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=True, capture_output=True)

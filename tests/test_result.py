@@ -6,8 +6,6 @@ import signal
 
 import pytest
 
-from motionlang import prove
-from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import (
     MACHINE_SUFFIX,
     ONE_SHIFT,
@@ -24,6 +22,7 @@ from motionlang.kernel import (
     run,
     who_ended,
 )
+from tests import proof
 from tests.cases import cases
 
 ENDLESS = "the program waits until IN(2), which can never happen"
@@ -231,8 +230,8 @@ def test_the_log_on_disk_has_a_size_in_gigabytes() -> None:
 
 
 def test_a_run_of_no_time_is_proved() -> None:
-    result = run(Source("a.mnt", ""), listener=ExpectedMotion)
-    assert (result.time, prove(result).violations) == (0.0, [])
+    result = proof.run(Source("a.mnt", ""))
+    assert (result.time, proof.prove(result).violations) == (0.0, [])
 
 
 def new_run() -> Run:

@@ -29,8 +29,8 @@ PROGRAM = (
 )
 LINE = 5
 PACKAGE = Path(motionlang.__file__).parent
-# They listen to what the controller does, the second in a run that is proved.
-LISTENERS = "motion_listener.py", "expected_motion.py"
+# What only listens to the controller.
+LISTENER = "motion_listener.py"
 # Programs, each with the statement whose files the page lists; it runs for the second time, as the first time it may
 # create objects.
 WAYS = (
@@ -164,7 +164,7 @@ def entered(source: Source, line: int) -> list[str]:
 
     def enter(frame: FrameType, event: str, _: object) -> None:
         path = Path(frame.f_code.co_filename)
-        if event == "call" and path.is_relative_to(PACKAGE) and path.name not in LISTENERS:
+        if event == "call" and path.is_relative_to(PACKAGE) and path.name != LISTENER:
             found[path.relative_to(PACKAGE).as_posix()] = None
 
     def traced(do: Callable[[Any], Any]) -> Callable[[Any], Any]:

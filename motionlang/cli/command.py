@@ -22,6 +22,7 @@ from typing import Any, ClassVar, Self
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import Commands, Parser, both, either, sentence
+from motionlang.cli.removed import REMOVED
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.files import unwritable
@@ -192,6 +193,7 @@ class Command:
             if key not in keys:
                 near = nearest(key, keys)
                 hint = f"did you mean {near}?" if near else f"the keys are {', '.join(keys)}"
+                hint = REMOVED.get(key, hint)
                 yield key, f"there is no key {key}; {hint}"
                 continue
             try:

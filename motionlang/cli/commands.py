@@ -23,7 +23,6 @@ GROUPS = {
             "commands.profile.command:ProfileCommand",
             "show where the time of a run goes, by line, sub and cause",
         ),
-        "prove": ("commands.prove.command:Prove", "verify the motion of a run against the commanded limits"),
         "certify": (
             "commands.certify.command:Certify",
             "report how far a run uses each limit of its machine",

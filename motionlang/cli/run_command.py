@@ -21,7 +21,6 @@ from motionlang.kernel import (
     ONE_SHIFT,
     STDIN,
     CheckedSettings,
-    Controller,
     Diagnostic,
     Machine,
     Outside,
@@ -39,7 +38,6 @@ from motionlang.kernel import (
     who_ended,
     with_entries,
 )
-from motionlang.kernel.controller import MotionListener
 from motionlang.kernel.lang import check_inputs_are_read
 from motionlang.kernel.report import assumptions, failure, pieces, remembered
 from motionlang.kernel.tools import MissingExtra
@@ -204,10 +202,6 @@ class Simulated(OutputOptions, Prepared):
             until=end_of(settings) if self.until is None else self.until,
         )
 
-    def listener(self, controller: Controller) -> MotionListener:
-        """Return what listens to the motion of the run."""
-        return MotionListener()
-
     def _is_endless(self, settings: Mapping[str, object]) -> bool:
         """True if no time of the user's ends the run, only a limit of processor time."""
         return self.until is None and "run.until" not in settings
@@ -238,7 +232,6 @@ class Simulated(OutputOptions, Prepared):
                 begun=prepare,
                 nv=self.nv,
                 keep_crash=True,
-                listener=self.listener,
             )
 
     # ----------------------------------------------------------------------------------------------- after the run

@@ -7,8 +7,6 @@ from collections.abc import Callable, Mapping
 from math import isclose
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.motion_listener import MotionListener
-from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import ProgramError, Terminated
 from motionlang.kernel.lang.debugging import Hook, Observer
 from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
@@ -46,9 +44,6 @@ ENOUGH_CYCLES, ENOUGH_TIME = 10, 60.0
 _LONGER = 1.25
 # The suffix of the machine file next to a program, after its name without suffix.
 MACHINE_SUFFIX = ".machine.toml"
-
-# Makes the listener to the motion of a controller.
-Listener = Callable[[Controller], MotionListener]
 
 
 class CheckedSettings(dict[str, object]):
@@ -96,7 +91,6 @@ def run(
     begun: Callable[[Machine], None] | None = None,
     nv: str | None = None,
     keep_crash: bool = False,
-    listener: Listener | None = None,
     log_size: float | None = None,
     hook: Hook | None = None,
     observer: Observer | None = None,
@@ -111,9 +105,9 @@ def run(
     package. A `Program` has the `overrides` already, and was made for a machine that agrees with this one in every
     setting for which `Dialect.compiled_in` is True. `pace` is called with the machine time of the next step. `outside`
     is a world that acts on its own, such as a host; it controls how machine time passes. `begun` is called with the
-    machine when the program begins, for an observer. `listener` makes a listener to the motion of the controller, which
-    `Run.listener` then is. `hook` selects a debug build, which calls it before statements. `observer` counts steps. An
-    internal error is raised, or with `keep_crash` stored in `Run.crash` together with the results so far.
+    machine when the program begins, for an observer. `hook` selects a debug build, which calls it
+    before statements. `observer` counts steps. An internal error is raised, or with `keep_crash` stored in `Run.crash`
+    together with the results so far.
     """
     made = None
     if isinstance(program, Program):
@@ -147,7 +141,7 @@ def run(
     if nv is not None and made is not None and not open_nonvolatile(result, nv):
         made = None
     if made is not None:
-        _perform(result, made, until, pace, outside, begun, listener, keep_crash)
+        _perform(result, made, until, pace, outside, begun, keep_crash)
         result.notes += made.places.notes
     _finish(result, settings)
     return result
@@ -159,7 +153,7 @@ def run_on(
     """Continue a run from the state of its machine, which may have been put back; return another result."""
     result = Run(source, language, machine)
     result.program = program
-    _perform(result, program, until, None, None, None, None, False)
+    _perform(result, program, until, None, None, None, False)
     _finish(result, machine.settings)
     return result
 
@@ -171,12 +165,9 @@ def _perform(
     pace: Callable[[float], None] | None,
     outside: Outside | None,
     begun: Callable[[Machine], None] | None,
-    listener: Listener | None,
     keep_crash: bool,
 ) -> None:
     """Execute a compiled program and collect remarks on the run."""
-    if listener is not None:
-        result.listener = result.controller.motion_listener = listener(result.controller)
     if begun is not None:
         begun(result.machine)
     result.diagnostics += compiled.warnings

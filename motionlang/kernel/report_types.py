@@ -28,13 +28,6 @@ class ReportAxis(TypedDict):
     motor: NotRequired[ReportMotor]
 
 
-class ReportBound(TypedDict):
-    """The object `bound` of the schema."""
-
-    name: str
-    share: float
-
-
 class ReportCycle(TypedDict):
     """The object `cycle` of the schema."""
 
@@ -112,13 +105,6 @@ class ReportEvent(TypedDict):
     count: NotRequired[int]
 
 
-class ReportException(TypedDict):
-    """The object `exception` of the schema."""
-
-    name: str
-    count: int
-
-
 class ReportLimit(TypedDict):
     """The object `limit` of the schema."""
 
@@ -175,18 +161,6 @@ class ReportPhase(TypedDict):
     name: str
     duration: float
     distance: float
-
-
-class ReportProof(TypedDict):
-    """The object `proof` of the schema."""
-
-    moves: int
-    profiles: int
-    joins: int
-    paths: int
-    violations: int
-    bounds: list[ReportBound]
-    exceptions: list[ReportException]
 
 
 class ReportQuantity(TypedDict):
@@ -256,8 +230,6 @@ class Report(dict[str, object]):
         @overload
         def __getitem__(self, name: Literal["quantities"], /) -> list[ReportQuantity]: ...
         @overload
-        def __getitem__(self, name: Literal["proof"], /) -> ReportProof: ...
-        @overload
         def __getitem__(self, name: Literal["certificate"], /) -> list[ReportLimit]: ...
         @overload
         def __getitem__(self, name: Literal["dropped"], /) -> list[ReportDropped]: ...
@@ -275,8 +247,6 @@ class Report(dict[str, object]):
 
         @overload  # type: ignore[override]
         def get(self, name: Literal["quantities"], default: None = ..., /) -> list[ReportQuantity] | None: ...
-        @overload
-        def get(self, name: Literal["proof"], default: None = ..., /) -> ReportProof | None: ...
         @overload
         def get(self, name: Literal["certificate"], default: None = ..., /) -> list[ReportLimit] | None: ...
         @overload

@@ -11,7 +11,6 @@ from math import inf
 from typing import TYPE_CHECKING, cast
 
 from motionlang.kernel.controller.axis import Axis
-from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
@@ -58,7 +57,6 @@ class Run:
         # An internal error, which ended the run.
         self.crash: Exception | None = None
         self.program: Program | None = None  # the compiled source
-        self.listener: MotionListener | None = None  # to the motion, if a caller gave one
         self.findings: dict[str, object] = {}  # what questions about the run add to its report, by field
 
     @property

@@ -1,4 +1,4 @@
-"""Commands for one purpose: `profile`, `prove`, `certify`, `plot`, `trace`, …."""
+"""Commands for one purpose: `profile`, `certify`, `plot`, `trace`, …."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def pick(cell: Cell) -> Cell:
     return cell
 
 
-@pytest.mark.parametrize("verb", ["profile", "prove", "certify"])
+@pytest.mark.parametrize("verb", ["profile", "certify"])
 def test_a_verb_answers_before_the_report_of_the_run(pick: Cell, verb: str) -> None:
     ran, plain = pick(verb, "pick.mnt"), pick("run", "pick.mnt")
     assert (ran.status, ran.err) == (0, "")
@@ -53,7 +53,7 @@ def test_what_is_missing_is_named(pick: Cell, given: str, hint: str) -> None:
 
 @pytest.mark.parametrize(
     ("typed", "suggestion"),
-    [("profle", "profile"), ("certfy", "certify"), ("proove", "prove"), ("plott", "plot")],
+    [("profle", "profile"), ("certfy", "certify"), ("plott", "plot")],
 )
 def test_a_suggestion_is_a_verb_of_the_same_kind(cell: Cell, typed: str, suggestion: str) -> None:
     assert f"did you mean {suggestion}?" in cell(typed, "pick.mnt").err

@@ -35,13 +35,12 @@ WRITERS = """\
 run --help
 run loud.mnt
 run loud.mnt --format none
-prove loud.mnt --format none
+certify loud.mnt --format none
 run loud.mnt --format none --realtime 1000
 run loud.mnt --format json
 run moves.mnt
 profile moves.mnt --all
 profile moves.mnt --paths
-prove moves.mnt
 certify moves.mnt
 run wrong.mnt --format json
 repl loud.mnt

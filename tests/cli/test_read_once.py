@@ -30,7 +30,6 @@ PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
         "cover",
         "profile",
         "certify",
-        "prove",
     ],
 )
 def test_a_command_reads_a_program_once(

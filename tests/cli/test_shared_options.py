@@ -14,7 +14,7 @@ MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 # Each command, with what it needs.
 LINES: dict[str, str] = {
     **dict.fromkeys(
-        ("run", "profile", "prove", "certify", "init", "check", "cover", "verify", "repl", "panel"), "a.mnt"
+        ("run", "profile", "certify", "init", "check", "cover", "verify", "repl", "panel"), "a.mnt"
     ),
     "trace": "a.mnt out.csv",
     "plot": "a.mnt out.html",

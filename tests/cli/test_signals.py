@@ -83,7 +83,7 @@ def test_a_signal_at_any_stage(
 
 
 @pytest.mark.parametrize("most", [10, 0])
-def test_an_ended_run_is_proved_where_that_takes_no_time(
+def test_an_ended_run_is_certified_where_that_takes_no_time(
     most: int, cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     whole = Scheduler.run
@@ -93,11 +93,11 @@ def test_an_ended_run_is_proved_where_that_takes_no_time(
         raise KeyboardInterrupt
 
     monkeypatch.setattr(Scheduler, "run", interrupted)
-    monkeypatch.setattr("motionlang.commands.prove.command.PROVED_IN_TIME", most)
+    monkeypatch.setattr("motionlang.commands.certify.command.CERTIFIED_IN_TIME", most)
     cell.write("a.mnt", "SPEED(0) = 5\n" + MOVE)
-    ran = cell("prove", "a.mnt", "--format", "json")
+    ran = cell("certify", "a.mnt", "--set", "axis.0.limits.speed=100", "--format", "json")
     codes = [each["code"] for each in json.loads(ran.out)["diagnostics"]]
-    assert (ran.status, codes) == (130, ["interrupted"] if most else ["interrupted", "proof"])
+    assert (ran.status, codes) == (130, ["interrupted"] if most else ["interrupted", "beyond-limit"])
 
 
 def test_a_signal_while_the_file_is_read(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:

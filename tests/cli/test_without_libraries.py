@@ -55,7 +55,6 @@ SAME = (
 NEEDING = (
     (f"plot {MINT} x.png", "motionlang plot"),
     (f"trace {MINT} x.csv", "motionlang trace"),
-    (f"prove {MINT}", "motionlang prove"),
     (f"diff {MINT} {MINT}", "motionlang diff"),
     ("run scripts/mint/motor-tuned.mnt", "this run"),
     ("plot scripts/mint/motor-tuned.mnt x.html", "this run"),

@@ -28,7 +28,6 @@ NOT_BY_A_PROGRAM = {
     "interrupted": "Ctrl-C or a signal",
     "mcapi": "a host program or its library cannot be used",
     "option": "an option of the command line",
-    "proof": "the command prove finds it",
     "recording": "the command compare reads a recording",
     "window": "a command draws or traces a part of a run",
 }

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import prove
 from tests.forged.changes import FILES, PACKAGE, Change, changes, chosen, forged
 from tests.forged.plugin import rejected_by
 from tests.forged.verdicts import honest, ran, verdict
+from tests.proof import prove
 
 _AT = "INFINITY if ramp else 0.0"
 # Module, function, original text, forged text, and program.

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import prove
 from tests.forged.logs import Forged, candidates, chosen, forge
+from tests.proof import prove
 
 
 def verdicts(logs: list[Forged]) -> dict[str, bool]:

@@ -10,9 +10,9 @@ from math import inf
 from types import FrameType
 from typing import NamedTuple
 
-from motionlang import prove, run
 from motionlang.kernel import Run, Source
 from tests.forged.programs import PROGRAMS
+from tests.proof import prove, run
 
 # Times of a run at which the motion of two planners is compared, and the relative difference allowed.
 MOMENTS, TOLERANCE = 101, 1e-5
@@ -98,7 +98,7 @@ class Endless(Exception):
 def ran(name: str) -> Run:
     """Return the run of a program, prepared for a proof."""
     machine = {"controller.instruction_time": 1e-9}
-    return run(Source(name, PROGRAMS[name]), machine=machine, prove=True, until=60.0)
+    return run(Source(name, PROGRAMS[name]), machine=machine, until=60.0)
 
 
 def motion(result: Run, times: list[float]) -> Motion:

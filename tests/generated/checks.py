@@ -10,9 +10,9 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import ProgramError, Run, Source, run
 from motionlang.kernel.report import text as report_of
+from tests import proof
 from tests.fuzz.guard import bounded
 from tests.generated.compared import every_iteration
 from tests.generated.draw import Draw
@@ -67,9 +67,8 @@ def _findings(program: Generated) -> Iterator[str]:
 
 def _run(program: Generated, until: float = UNTIL) -> Run:
     source = Source(program.name, program.text)
-    return run(
-        source, machine=program.machine, until=until, listener=ExpectedMotion if until == UNTIL else None
-    )
+    made = proof.run if until == UNTIL else run
+    return made(source, machine=program.machine, until=until)
 
 
 def _report(result: Run) -> str:

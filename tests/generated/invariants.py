@@ -13,11 +13,11 @@ from typing import Any
 
 import jsonschema  # type: ignore[import-untyped]
 
-from motionlang import prove
-from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import Run, WholeTrack
 from motionlang.kernel.log import LoggedMove
 from motionlang.views.report import render
+from tests.proof import prove
+from tests.proof.expected_motion import ExpectedMotion
 
 SCHEMA = json.loads((Path(__file__).parents[2] / "docs" / "report.schema.json").read_text(encoding="utf-8"))
 # Seconds by which the time of an end may be rounded, and the relative error of a position.

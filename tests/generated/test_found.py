@@ -11,8 +11,8 @@ from math import atan2, hypot, pi, radians, sin, sqrt
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Run, Source
+from tests.proof import prove, run
 
 RATES = "SPEED(0, 1) = 20; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 100;\n"
 
@@ -29,7 +29,7 @@ def proved(
     `statement` is the duration of a statement, s; `inputs` are the machine's inputs.
     """
     machine = {"controller.instruction_time": statement, "input": list(inputs)}
-    result = run(Source(f"found.{suffix}", program), machine=machine, prove=True, until=until)
+    result = run(Source(f"found.{suffix}", program), machine=machine, until=until)
     assert [each.message for each in result.diagnostics if each.code != "short-ramp"] == []
     assert [each.message for each in prove(result).violations] == []
     return result
@@ -683,7 +683,7 @@ def test_joined_paths_keep_their_speed_while_accel_is_0() -> None:
 def test_an_error_ends_the_run_before_what_waits_behind_a_refused_move() -> None:
     """Nothing moves, and the proof takes the run as ended before the second move."""
     program = "ACCEL(0) = 0\nMOVER(0) = 1 : MOVER(0) = 2\nGO(0)\n"
-    result = run(Source("found.mnt", program), machine={}, prove=True)
+    result = run(Source("found.mnt", program), machine={})
     assert [each.code for each in result.diagnostics] == ["zero-acceleration"]
     assert [each.message for each in prove(result).violations] == []
 
@@ -779,7 +779,7 @@ def test_a_jog_out_of_the_last_flank_of_a_move_begins_at_rest() -> None:
     """
     settings = "1MN,2MN,3MN\n1SV1951,1SA10000,1DS5267\n1PS0.45\n"
     source = Source("found.mcl", f"MD1,2PP,1MA-5\n{settings}MC1\n2ST,2WS0.05\n1VM,1DI0,1GO\n")
-    result = run(source, machine={"controller.instruction_time": 1e-3}, prove=True, until=2.0)
+    result = run(source, machine={"controller.instruction_time": 1e-3}, until=2.0)
     assert [each.message for each in prove(result).violations] == []
     profile = result.controller.log.moves[-1].profile
     assert profile is not None
@@ -797,7 +797,7 @@ MOTOR = {
 def with_motor(program: str, suffix: str, axis: int) -> Run:
     """Return a run whose `axis` has a motor driven by its own output."""
     machine = {name.format(axis): value for name, value in MOTOR.items()}
-    result = run(Source(f"found.{suffix}", program), machine=machine, prove=True, until=1.0)
+    result = run(Source(f"found.{suffix}", program), machine=machine, until=1.0)
     assert [each.message for each in prove(result).violations] == []
     return result
 
@@ -997,8 +997,8 @@ def test_a_contour_that_already_brakes_for_its_next_path_is_suspended() -> None:
 
 def limit_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let an entry of the log have 50 pieces instead of 500, so that a test needs fewer of them."""
-    for module in ("kernel.controller.queue.track", "commands.prove.entries"):
-        monkeypatch.setattr(f"motionlang.{module}.MAX_PIECES", 50)
+    for module in ("motionlang.kernel.controller.queue.track", "tests.proof.entries"):
+        monkeypatch.setattr(f"{module}.MAX_PIECES", 50)
 
 
 @pytest.mark.parametrize(

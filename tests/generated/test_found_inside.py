@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Source
 from motionlang.kernel.controller import settings
 from motionlang.kernel.controller.motion.takeup import Takeup
 from tests.generated.test_found import CONTOUR, RATES, proved
+from tests.proof import prove, run
 
 
 def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -19,7 +19,7 @@ def test_rates_that_a_path_could_keep_are_asked_of_those_ahead_of_it(monkeypatch
     monkeypatch.setattr(settings, "_replan", lambda axis, name: None)
     lines = "VECTORR(0, 1) = 51, 0\nVECTORR(0, 1) = 1, 0\nGO(0)\nWAIT = 600\nDECEL(0) = 50\nPAUSE IDLE(0)\n"
     program = Source("found.mnt", f"{RATES}{CONTOUR}{lines}")
-    found = prove(run(program, prove=True)).violations
+    found = prove(run(program)).violations
     assert "the path deceleration reaches 100, above 50" in found[0].message
 
 

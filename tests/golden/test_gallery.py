@@ -11,13 +11,13 @@ from pathlib import Path
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.cli.program_files import programs
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.verify.further import further_checks, sweep_golden
 from motionlang.kernel import Run
+from tests.proof import prove, run
 
 ROOT = Path(__file__).parent.parent.parent
 PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
@@ -27,7 +27,7 @@ PROGRAMS = [Path(program) for program in programs([str(ROOT / "scripts")])]
 def test_program(program: Path, request: pytest.FixtureRequest) -> None:
     if request.config.getoption("--update"):
         update(str(program), run(program))
-    result = run(program, prove=True)
+    result = run(program)
     assert differences(str(program), result) == []
     assert prove(result).violations == []
     assert_every_second_is_charged_once(result)

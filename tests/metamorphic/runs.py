@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang import run
-from motionlang.commands.prove.proof import proof
 from motionlang.kernel import Run, Source
+from tests.proof import prove, run
 
 
 def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: float = 1e-9) -> Run:
@@ -13,8 +12,8 @@ def proved(text: str, name: str = "job.mnt", until: float | None = None, fine: f
     There may be no diagnostics. A statement takes `fine` seconds.
     """
     machine = {"controller.instruction_time": fine}
-    result = run(Source(name, text), machine=machine, until=until, prove=True)
-    messages = [each.message for each in (*result.diagnostics, *proof(result, views=False).violations)]
+    result = run(Source(name, text), machine=machine, until=until)
+    messages = [each.message for each in (*result.diagnostics, *prove(result, views=False).violations)]
     assert messages == [], text
     return result
 

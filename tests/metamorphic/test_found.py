@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Run, Source
+from tests.proof import prove, run
 
 H = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200\n"
 END = "PAUSE IDLE(0)\nPAUSE IDLE(1)\nPAUSE IDLE(2)\n"
@@ -13,7 +13,7 @@ END = "PAUSE IDLE(0)\nPAUSE IDLE(1)\nPAUSE IDLE(2)\n"
 
 def proved(program: str) -> Run:
     machine = {"controller.instruction_time": 1e-9}
-    result = run(Source("found.mnt", program), machine=machine, prove=True, until=100.0)
+    result = run(Source("found.mnt", program), machine=machine, until=100.0)
     assert [each.message for each in result.diagnostics] == []
     assert [each.message for each in prove(result).violations] == []
     return result

@@ -10,11 +10,10 @@ from collections.abc import Callable
 
 import pytest
 
-from motionlang import run
-from motionlang.commands.prove.proof import proof
 from motionlang.kernel import Source
 from tests.cases import examples
 from tests.metamorphic.jobs import Contour, Train
+from tests.proof import prove, run
 
 COUNT = int(os.environ.get("MOTIONLANG_LONG", examples(40)))
 KINDS: dict[str, Callable[[int], Contour | Train]] = {
@@ -29,6 +28,6 @@ def test_random_jobs_keep_every_bound_and_end(kind: str) -> None:
     for seed in range(COUNT):
         machine = {"controller.instruction_time": 1e-9}
         job = KINDS[kind](seed)
-        result = run(Source("job.mnt", job.text), machine=machine, prove=True, until=2000.0)
-        messages = [each.message for each in (*result.diagnostics, *proof(result, views=False).violations)]
+        result = run(Source("job.mnt", job.text), machine=machine, until=2000.0)
+        messages = [each.message for each in (*result.diagnostics, *prove(result, views=False).violations)]
         assert (result.status, messages) == ("ended", []), f"{kind}, seed {seed}:\n{job.text}"

@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from motionlang import prove, run
 from motionlang.commands.check import check
 from motionlang.kernel import Diagnostic, ProgramError, Source, dialect_of, read_machine
+from tests.proof import is_recorded, prove, run
 
 FOLDER = Path(__file__).parent
 COMMENTS = {".mnt": "'", ".mcl": ";"}
@@ -133,8 +133,8 @@ def found(case: Case) -> Found:
     if case.is_only_checked:
         result.diagnostics = [(False, each.line, each) for each in check(language.program(source, settings))]
         return result
-    ran = run(source, machine=settings, prove=True)
-    if ran.listener is not None:
+    ran = run(source, machine=settings)
+    if is_recorded(ran):
         assert prove(ran).violations == []
     result.printed = [line.translate(SYMBOLS).rstrip() for line in ran.output]
     result.diagnostics = [(False, each.line, each) for each in ran.diagnostics]

@@ -208,7 +208,6 @@ FIXES: dict[str, str] = {
     "recursion": "end the recursion with a condition",
     "limit": "end the run sooner with --until, or allow a larger log with run.log",
     "golden": "if the change is intended, motionlang verify --update FILE accepts it",
-    "proof": "end the run sooner with --until; report a violation as a mistake of motionlang",
     "beyond-limit": "reduce the speed or the rate at the line that the certificate names, or correct the limit",
     "interrupted": "end the run with --until S, or give it more processor time with --cpu S; a sweep continues with "
     "--resume",

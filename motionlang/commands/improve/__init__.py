@@ -693,7 +693,7 @@ class Improver:
 
     def _worker_until(self, until: float | None) -> SweepWorker:
         return SweepWorker(
-            SweepJob(self.source, self.language.name, (), (), self.world.settings, {}, {}, until, False)
+            SweepJob(self.source, self.language.name, (), (), self.world.settings, {}, {}, until)
         )
 
     def _of_cycles(self, starts: Sequence[float]) -> Behaviour:

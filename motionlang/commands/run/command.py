@@ -22,8 +22,8 @@ class RunCommand(Simulated):
     epilog: ClassVar[str] = """\
 The language is chosen by file extension: .mnt, .mntx and .prg are Mint, .mcl
 and .mccl are MCCL. Time is machine time: an hour takes a moment, unless you
-give --realtime. To draw a run, sample it, see where its time goes or prove it:
-plot, trace, profile, prove and certify.
+give --realtime. To draw a run, sample it, see where its time goes or verify it:
+plot, trace, profile and certify.
 
 exit status: 0 success; 1 the program has an error or waits for what can never
 happen, an axis met a limit or a following error, or a fault was not handled

@@ -11,6 +11,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import Any
 
+from motionlang.cli.removed import refuse_prove
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.job import Problem, Result, SweepJob, worker_of
 from motionlang.commands.sweep.pool import Hand
@@ -102,7 +103,6 @@ class Sweep:
         overrides: Mapping[str, float | str] | None = None,
         worlds: Mapping[str, Mapping[str, Mapping[str, object]]] | None = None,
         until: float | None = None,
-        prove: bool = False,
         certify: bool = False,
     ) -> None:
         """Take the arguments of `sweep`.
@@ -125,7 +125,6 @@ class Sweep:
             overrides or {},
             worlds or {},
             until,
-            prove,
             certify,
         )
         if len(self.space):
@@ -179,7 +178,7 @@ def sweep(
     machine: Mapping[str, object] | None = None,
     overrides: Mapping[str, float | str] | None = None,
     until: float | None = None,
-    prove: bool = False,
+    prove: None = None,
     certify: bool = False,
 ) -> Rows:
     """Run a program in many variants and return an iterator over their rows.
@@ -197,6 +196,7 @@ def sweep(
     A variant with an error is a row with its `problem`. Errors that affect all variants are raised before the
     first one runs, as in `Sweep`.
     """
+    refuse_prove(prove)
     made = Sweep(
         program,
         grid,
@@ -205,7 +205,6 @@ def sweep(
         machine=machine,
         overrides=overrides,
         until=until,
-        prove=prove,
         certify=certify,
     )
     names = (*made.space.names, *made.job.keep)

@@ -24,7 +24,6 @@ from motionlang.commands.sweep.report import SweepReport
 from motionlang.commands.sweep.table import write_rows
 from motionlang.commands.sweep.variants import Variants
 from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, ProgramError, Terminated
-from motionlang.kernel.tools import need
 from motionlang.views.progress import Progress
 
 # The suffix of --rows-to for the rows of an incomplete sweep.
@@ -96,9 +95,6 @@ examples:
         try:
             if self.file != STDIN:
                 self.read_file_of(self.file)
-            for name in ("certify", "prove"):
-                if getattr(self, name):
-                    need(f"motionlang sweep --{name}", "numpy")
             sweep, report = self._made()
             rows = self._earlier(sweep)
         except OSError as error:
@@ -123,7 +119,6 @@ examples:
                 overrides=self.overrides(),
                 worlds=worlds,
                 until=self.until,
-                prove=self.prove,
                 certify=self.certify,
             )
         except ProgramError as error:

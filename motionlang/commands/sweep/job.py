@@ -14,7 +14,6 @@ from typing import Any
 from motionlang.commands.certify import certificate, missing_limits, violations
 from motionlang.commands.certify.motion import verify_motion
 from motionlang.commands.profile.budget import within_budget
-from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
@@ -48,14 +47,13 @@ class SweepJob:
         overrides: Mapping[str, float | str],
         worlds: Mapping[str, Mapping[str, Mapping[str, object]]],
         until: float | None,
-        prove: bool,
         certify: bool = False,
     ) -> None:
         self.name, self.text, self.dialect = source.name, source.text, dialect
         self.names, self.keep = tuple(names), tuple(keep)
         self.settings, self.overrides = dict(settings), dict(overrides)
         self.worlds = {kind: {n: dict(s) for n, s in some.items()} for kind, some in worlds.items()}
-        self.until, self.prove, self.certify = until, prove, certify
+        self.until, self.certify = until, certify
         self._digest = ""
 
     @property
@@ -131,7 +129,6 @@ class SweepWorker:
             until=self.job.until,
             overrides=given,
             keep_crash=True,
-            listener=ExpectedMotion if self.job.prove else None,
         )
         if found.status == "interrupted":
             raise KeyboardInterrupt
@@ -176,11 +173,7 @@ class SweepWorker:
         diagnostics = [each for each in found.diagnostics if each.severity == "error"]
         if found.crash is not None:
             diagnostics.append(_failed(found.crash))
-        elif self.job.prove:
-            from motionlang.commands.prove.proof import proof  # with NumPy
-
-            diagnostics += proof(found).violations
-        if self.job.certify and found.crash is None:
+        elif self.job.certify:
             lines = certificate(found.controller, found.machine.settings, found.time)
             diagnostics += verify_motion(found.controller, lines, found.time).violations
             diagnostics += violations(found, lines, partial(missing_limits, "", "the machine file"))

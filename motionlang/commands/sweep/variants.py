@@ -59,7 +59,6 @@ class Variants(Command):
         default=KEEP,
     )
     until: float | None = option("S", "end every run after S seconds of machine time", read=machine_time)
-    prove: bool = flag("verify the motion of every variant against the commanded limits")
     certify: bool = flag("a variant fails if it exceeds a limit of the machine file")
     minimise: QuantityExpression | None = option(
         "EXPR", "find the variant with the smallest value", read=QuantityExpression

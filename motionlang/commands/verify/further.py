@@ -149,7 +149,6 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         keep=variants.keep,
         worlds=worlds,
         until=variants.until,
-        prove=variants.prove,
         certify=variants.certify,
     )
     names = ["variant", *sweep.space.names, *sweep.job.keep, "problem"]

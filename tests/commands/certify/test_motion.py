@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang import certify, prove, run
+from motionlang import certify
 from motionlang.commands.certify.motion import verify_motion
 from motionlang.kernel import Run, Source
 from motionlang.kernel.planners import plan
-from tests.commands.prove.test_forged import FORGED, SETTINGS, TWO
 from tests.forged.logs import chosen, forge
+from tests.proof import prove, run
+from tests.proof.test_forged import FORGED, SETTINGS, TWO
 
 # Changes that break neither continuity, nor an end, nor a limit, nor the distances of the log: the proof of the tests
 # finds them, since it knows what the program commanded.
@@ -45,7 +46,7 @@ def ran(program: str) -> Run:
 def test_a_forged_run_is_rejected(name: str) -> None:
     program, change, expected = FORGED[name]
     machine = {"controller.instruction_time": 1e-9}
-    result = run(Source("a.mnt", SETTINGS + program), machine=machine, prove=True)
+    result = run(Source("a.mnt", SETTINGS + program), machine=machine)
     change(result)
     found = verify_motion(result.controller, [], result.time).violations
     assert bool(found) == bool(expected and name not in ONLY_PROVED), found
@@ -100,6 +101,6 @@ def test_the_proof_finds_what_is_only_proved() -> None:
     for name in ONLY_PROVED:
         program, change, _ = FORGED[name]
         machine = {"controller.instruction_time": 1e-9}
-        result = run(Source("a.mnt", SETTINGS + program), machine=machine, prove=True)
+        result = run(Source("a.mnt", SETTINGS + program), machine=machine)
         change(result)
         assert prove(result).violations, name

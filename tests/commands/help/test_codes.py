@@ -20,7 +20,6 @@ WITHOUT_EXAMPLE = {
     "crash": "no program is known that causes one",
     "interrupted": "it takes a key press or a signal",
     "limit": "it takes a log of several gigabytes",
-    "proof": "it takes 200 000 profiles of motion, or a mistake of motionlang",
 }
 # Codes in brackets, and in JSON.
 _CODE = re.compile(r'(?:error|warning)\[([\w-]+)\]|"code": "([\w-]+)"')

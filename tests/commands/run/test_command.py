@@ -365,15 +365,9 @@ def test_a_forgotten_go_is_reported_by_the_run(cell: Cell) -> None:
     assert "hint: GO(1) starts the buffered moves" in ran.err
 
 
-def test_more_than_a_page_or_a_proof_takes_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_more_than_a_page_takes_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("motionlang.commands.scope.MAX_RECORDS", 1)
     ran = cell("plot", "ballscrew.mcl", "a.html", "--format", "text")
     assert ran.status == 1
     assert "a.html was not written: the run has 2 records, but a page holds at most 1; " in ran.err
     assert not (cell.folder / "a.html").exists()
-    monkeypatch.setattr("motionlang.commands.prove.expected_motion.MAX_PROFILES", 0)
-    ran = cell("prove", "ballscrew.mcl", "--format", "json")
-    report = json.loads(ran.out)
-    assert (ran.status, report["axes"][0]["position"]) == (1, 200.0)
-    (diagnostic,) = report["diagnostics"]
-    assert (diagnostic["code"], diagnostic["hint"]) == ("proof", "end the run sooner with --until")

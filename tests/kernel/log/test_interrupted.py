@@ -14,12 +14,12 @@ from typing import Any
 import pytest
 
 import motionlang
-from motionlang import prove, run
 from motionlang.kernel import Run, Scheduler, Source, execution
 from motionlang.kernel.planners.packed import packed
 from motionlang.kernel.report import moves
 from motionlang.kernel.tracks import Recorded
 from motionlang.views.report import render
+from tests.proof import prove, run
 
 PACKAGE = Path(motionlang.__file__).parent
 MINT = """Dim i As Integer
@@ -46,7 +46,7 @@ LOCATIONS = {
     "anywhere": ("/motionlang/kernel/controller/", "/motionlang/kernel/lang/"),
     "log": (
         "/kernel/controller/queue/life.py",
-        "/motionlang/commands/prove/expected_motion.py",
+        "/tests/proof/expected_motion.py",
         "/motionlang/kernel/log/log.py",
     ),
 }
@@ -137,7 +137,7 @@ def ran(source: Source, ended: Ended, monkeypatch: pytest.MonkeyPatch) -> Run:
 
     with monkeypatch.context() as m:
         m.setattr(execution, "_execute", watched)
-        return run(source, prove=True)
+        return run(source)
 
 
 @pytest.mark.parametrize("count", [15, pytest.param(1000, marks=pytest.mark.long)])
@@ -188,7 +188,9 @@ def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
 
 def test_the_locations_exist() -> None:
     """If a file were renamed, no run would be interrupted in it."""
-    files = ["/motionlang/" + path.relative_to(PACKAGE).as_posix() for path in PACKAGE.rglob("*.py")]
+    root = PACKAGE.parent
+    paths = (path for folder in (PACKAGE, root / "tests" / "proof") for path in folder.rglob("*.py"))
+    files = [f"/{path.relative_to(root).as_posix()}" for path in paths]
     for location in (*STEPS, *(each for locations in LOCATIONS.values() for each in locations)):
         assert any(location in file for file in files), location
     for location, names in STEPS.items():

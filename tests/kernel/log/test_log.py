@@ -12,12 +12,11 @@ from typing import Any
 
 import pytest
 
-from motionlang import prove
-from motionlang.commands.prove.expected_motion import ExpectedMotion
 from motionlang.kernel import Controller, Rejected, Run, Source, WholeTrack, report, run
 from motionlang.kernel.controller.joined import Followed
 from motionlang.kernel.log import Log, LoggedMove, Store, stream
 from motionlang.kernel.log import log as log_module
+from tests import proof
 from tests.kernel.log.small import shrink
 
 SCRIPTS = Path(__file__).parents[3] / "scripts"
@@ -240,7 +239,7 @@ For n = 1 To 1200
 Next
 STOP(0)
 """
-    result = run(Source("live.mnt", program), listener=ExpectedMotion)
+    result = proof.run(Source("live.mnt", program))
     rows: list[dict[str, Any]] = list(report.moves(result))
     first, last = rows[0], rows[-1]
     assert [row.get("ended") for row in rows] == ["continued"] * (len(rows) - 1) + ["stop"]
@@ -250,7 +249,7 @@ STOP(0)
         assert after["start"] == before["end"]
         assert after["start_time"] == pytest.approx(before["start_time"] + before["duration"])
     assert last["end"] == pytest.approx(result.controller.axes[0].position(result.time))
-    assert prove(result).holds
+    assert proof.prove(result).holds
 
 
 def test_a_setting_is_in_the_log_where_it_changes() -> None:

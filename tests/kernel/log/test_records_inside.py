@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from motionlang.commands.prove.order import Order, PathOrder, Tie
 from motionlang.kernel import Controller, WholeTrack
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.log import LoggedMove, Store, stream
@@ -20,6 +19,7 @@ from motionlang.kernel.log.records import TimeSlices
 from motionlang.kernel.log.time_slices import TimeSliceStream
 from motionlang.kernel.planners import Profile, hold, plan_trapezoid
 from tests.kernel.log.test_records import filled, shuttled
+from tests.proof.order import Order, PathOrder, Tie
 
 
 @pytest.fixture

@@ -11,11 +11,11 @@ from itertools import pairwise
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Run, Source
 from motionlang.kernel.report import build
 from tests.cases import examples
 from tests.kernel.mint.blend_programs import program
+from tests.proof import prove, run
 
 PATHS = """SPEED(0) = 10 : ACCEL(0) = 100 : DECEL(0) = 100 : ERRORDECEL(0) = 200
 VECTOR{how}(0, 1) = 100, 0
@@ -49,7 +49,7 @@ ENDS = {
 
 def proved(text: str, until: float = 100.0) -> Run:
     machine = {"controller.instruction_time": 1e-9}
-    result = run(Source("blend.mnt", text), machine=machine, prove=True, until=until)
+    result = run(Source("blend.mnt", text), machine=machine, until=until)
     assert [each.message for each in prove(result).violations] == []
     return result
 

@@ -7,9 +7,11 @@ from math import hypot, pi
 
 import pytest
 
-from motionlang import Run, prove
+from motionlang import Run
+from motionlang.kernel import Source
 from tests.cases import cases
 from tests.mccl_runs import Runner
+from tests.proof import prove, run
 
 HEAD = "1MN,2MN,1CM1,2CM1,1VV20000,1VA200000,1VD200000\n"
 
@@ -105,7 +107,7 @@ def test_an_arc_that_misses_its_end_a_little_goes_through_it(
     path: str, end: tuple[int, int], mccl: Runner
 ) -> None:
     """By the proof it is one circle at the vector velocity, without a jump."""
-    result = mccl(f"{HEAD}{path}\n1WS,1TP,2TP", prove=True)
+    result = run(Source("test.mcl", f"{HEAD}{path}\n1WS,1TP,2TP"))
     assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
     assert prove(result).violations == []
     begin = result.controller.log.moves[0].start_time
@@ -116,7 +118,7 @@ def test_an_arc_that_misses_its_end_a_little_goes_through_it(
 
 def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
     """The second path continues 3001, 997 by half of it, rounded to whole counts."""
-    result = mccl(f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX", prove=True)
+    result = run(Source("test.mcl", f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX"))
     assert result.output == ["01 2"]
     assert prove(result).violations == []
     first, second = (move for move in result.controller.log.moves if move.axis == 1)

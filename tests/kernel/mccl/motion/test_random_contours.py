@@ -10,16 +10,17 @@ from random import Random
 
 import pytest
 
-from motionlang import Run, prove, run
+from motionlang import Run
 from motionlang.kernel import Source
 from tests.cases import examples
+from tests.proof import prove, run
 
 SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", examples(25))))
 FINE = {"controller.instruction_time": 1e-9}
 
 
 def proved(text: str, name: str) -> Run:
-    result = run(Source(name, text), machine=FINE, prove=True)
+    result = run(Source(name, text), machine=FINE)
     assert result.diagnostics == [], text
     assert prove(result).violations == [], text
     return result

@@ -12,9 +12,9 @@ from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.prove.checker import SLACK
-from motionlang.commands.prove.order import Order
-from motionlang.commands.prove.segments import Span
+from tests.proof.checker import SLACK
+from tests.proof.order import Order
+from tests.proof.segments import Span
 
 # Seconds of a stretch whose direction is rounding.
 MOMENT = 1e-9

@@ -11,7 +11,6 @@ from copy import copy
 from operator import itemgetter
 from typing import Any
 
-from motionlang.commands.prove.order import ENDLESS, Order, PathOrder, Tie
 from motionlang.kernel import INFINITY, Axis, Controller, Run, WholeTrack
 from motionlang.kernel.controller import (
     CurveFollow,
@@ -27,6 +26,7 @@ from motionlang.kernel.controller import (
     StraightLine,
 )
 from motionlang.kernel.log import LoggedMove
+from tests.proof.order import ENDLESS, Order, PathOrder, Tie
 
 REST = Order("rest", 0)
 # Kinds whose rest continues unchanged at a new zero, because they do not depend on positions.
@@ -97,10 +97,12 @@ class ExpectedMotion(MotionListener):
 
     @classmethod
     def of_run(cls, run: Run) -> ExpectedMotion:
-        """Return the expected motion that a run has recorded; ValueError without `prove`."""
-        if not isinstance(run.listener, cls):
-            raise ValueError("the run was not made with prove=True")
-        return run.listener
+        """Return the expected motion that a run has recorded; ValueError if there is none."""
+        listener = run.controller.motion_listener
+        found = listener.expected if isinstance(listener, _Full) else listener
+        if not isinstance(found, cls):
+            raise ValueError("no motion is expected of the run")
+        return found
 
     def add(self, a: Axis) -> None:
         """Record the order of the newest profile of an axis's track."""
@@ -146,7 +148,7 @@ class ExpectedMotion(MotionListener):
             self.of[a.index].append(order)
             self.data[a.index].append(a.datum)
             return
-        self.is_full, self._controller.motion_listener = True, MotionListener()
+        self.is_full, self._controller.motion_listener = True, _Full(self)
         for each in (
             self.of,
             self.data,
@@ -393,6 +395,13 @@ class ExpectedMotion(MotionListener):
         now = self._controller.clock.now
         self.stops[a.index].append((now, ended))
         self._first_stops.setdefault((a.index, ended), now)
+
+
+class _Full(MotionListener):
+    """What listens in place of an expected motion that is full."""
+
+    def __init__(self, expected: ExpectedMotion) -> None:
+        self.expected = expected
 
 
 def _paths_ahead(action: PathMove) -> list[PathMove]:

@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import fsum, isfinite
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords, position
-from motionlang.commands.prove.offsets import check_offset
-from motionlang.commands.prove.order import Order
 from motionlang.kernel import WholeTrack
 from motionlang.kernel.log import CONTINUED, MAX_PIECES, LoggedMove
 from motionlang.kernel.planners import Profile
+from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords, position
+from tests.proof.offsets import check_offset
+from tests.proof.order import Order
 
 # The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED

@@ -5,9 +5,9 @@ The rest of an offset that it replaces is added.
 
 from __future__ import annotations
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
+from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
 
 # The fraction of a time by which a sum of times may differ.
 LATE = 4.0 * ROUNDED

@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Axis, Source
 from motionlang.kernel.controller import settings
 from motionlang.kernel.controller.motion import jog
 from motionlang.kernel.controller.motion.follow import Gear
+from tests.proof import prove, run
 
 RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
 MOTIONS = {
@@ -24,7 +24,7 @@ MOTIONS = {
 
 
 def messages(text: str, name: str = "t.mnt") -> list[str]:
-    return [each.message for each in prove(run(Source(name, text), prove=True)).violations]
+    return [each.message for each in prove(run(Source(name, text))).violations]
 
 
 @pytest.mark.parametrize("motion", MOTIONS)

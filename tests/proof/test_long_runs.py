@@ -6,12 +6,11 @@ from typing import Any
 
 import pytest
 
-from motionlang import prove, run
-from motionlang.commands.prove import checks, expected_motion
 from motionlang.kernel import Run, Source
 from motionlang.kernel.log import Stream
 from motionlang.kernel.log.stream import Chunk
 from tests.kernel.log.small import shrink
+from tests.proof import checks, expected_motion, prove, run
 
 JOGS = """Dim k As Float
 While k < {}
@@ -37,7 +36,7 @@ PRINT POS(0)
 
 
 def made(text: str) -> Run:
-    return run(Source("long.mnt", text), prove=True)
+    return run(Source("long.mnt", text))
 
 
 @pytest.mark.slow

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import inf, nextafter
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords
-from motionlang.commands.prove.order import Order, PathOrder
-from motionlang.commands.prove.path_bounds import check_along, could_stop, spans_along
-from motionlang.commands.prove.path_layout import PathLayout, end_positions
-from motionlang.commands.prove.segments import Span
 from motionlang.kernel import WholeTrack
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
+from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
+from tests.proof.order import Order, PathOrder
+from tests.proof.path_bounds import check_along, could_stop, spans_along
+from tests.proof.path_layout import PathLayout, end_positions
+from tests.proof.segments import Span
 
 # Paths that may overlap.
 MAX_OVERLAP = 2

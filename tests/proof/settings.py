@@ -7,15 +7,15 @@ from __future__ import annotations
 
 from math import copysign, inf
 
-from motionlang.commands.prove.axes import check_bounds
-from motionlang.commands.prove.checker import SLACK, Proof, RunRecords
-from motionlang.commands.prove.order import Order
-from motionlang.commands.prove.path_bounds import could_stop
-from motionlang.commands.prove.paths import check_rest, in_force, rest_along
-from motionlang.commands.prove.segments import spans
-from motionlang.commands.prove.stretches import stopping_distance
 from motionlang.kernel import WholeTrack
 from motionlang.kernel.planners import Profile
+from tests.proof.axes import check_bounds
+from tests.proof.checker import SLACK, Proof, RunRecords
+from tests.proof.order import Order
+from tests.proof.path_bounds import could_stop
+from tests.proof.paths import check_rest, in_force, rest_along
+from tests.proof.segments import spans
+from tests.proof.stretches import stopping_distance
 
 LATE = "a rate written too late: the motion keeps the one in force"
 

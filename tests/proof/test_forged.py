@@ -10,11 +10,12 @@ from typing import Any
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Source
+from motionlang.kernel import run as run_plainly
 from motionlang.kernel.planners import Profile, hold, plan
 from motionlang.kernel.tracks import Samples
 from tests.cases import cases
+from tests.proof import prove, run
 
 Forge = Callable[[Any], None]
 
@@ -79,7 +80,8 @@ def ordered(axis: int, made: Callable[[Any], Any]) -> Forge:
     """Change what was ordered of an axis."""
 
     def forge(ran: Any) -> None:
-        ran.listener.of[axis] = [made(order) for order in ran.listener.of[axis]]
+        expected = ran.controller.motion_listener
+        expected.of[axis] = [made(order) for order in expected.of[axis]]
 
     return forge
 
@@ -409,7 +411,7 @@ FORGED: dict[str, tuple[str, Forge, list[str]]] = {
 
 
 def found(program: str, forge: Forge) -> list[str]:
-    ran = run(Source("a.mnt", SETTINGS + program), machine={"controller.instruction_time": 1e-9}, prove=True)
+    ran = run(Source("a.mnt", SETTINGS + program), machine={"controller.instruction_time": 1e-9})
     assert [each.message for each in ran.diagnostics + prove(ran).violations] == []
     forge(ran)
     return [f"{each.line}: {each.message}" for each in prove(ran).violations]
@@ -442,5 +444,5 @@ def test_a_trace_that_is_off_its_track_is_found(off: float, expected: list[str])
 
 
 def test_a_run_without_expected_motion_cannot_be_proved() -> None:
-    with pytest.raises(ValueError, match="prove=True"):
-        prove(run(Source("a.mnt", ONE)))
+    with pytest.raises(ValueError, match="no motion is expected"):
+        prove(run_plainly(Source("a.mnt", ONE)))

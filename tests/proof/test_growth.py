@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from motionlang import prove, run
-from motionlang.commands.prove.checker import Proof
 from motionlang.kernel import Source
 from tests.cases import cases
 from tests.counted_calls import all_calls
+from tests.proof import prove, run
+from tests.proof.checker import Proof
 
 BLENDS = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
 PROFILEMODE(0) = 1 : ACCELJERK(0) = 200000 : DECELJERK(0) = 200000
@@ -29,7 +29,7 @@ JOG(0) = 30
 
 def calls(text: str) -> int:
     """Return how many functions the proof of a program calls."""
-    result = run(Source("long.mnt", text), prove=True)
+    result = run(Source("long.mnt", text))
     proofs: list[Proof] = []
     count = all_calls(lambda: proofs.append(prove(result)))
     assert proofs[0].holds

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Mapping
 from itertools import zip_longest
 from math import isfinite
 
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords, position
-from motionlang.commands.prove.segments import spans
 from motionlang.kernel import WholeTrack
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tracks import Samples
+from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords, position
+from tests.proof.segments import spans
 
 # Rows of the trace that are compared with the tracks.
 ROWS = 40

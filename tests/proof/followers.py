@@ -6,13 +6,13 @@ from bisect import bisect_right
 from itertools import pairwise
 from math import fsum, inf, isfinite
 
-from motionlang.commands.prove.axes import taken_over
-from motionlang.commands.prove.checker import SLACK, BoundUses, Proof, RunRecords, position
-from motionlang.commands.prove.order import Order, Tie
-from motionlang.commands.prove.segments import derivatives, spans
-from motionlang.commands.prove.stretches import stretches
 from motionlang.kernel import WholeTrack
 from motionlang.kernel.planners import Profile
+from tests.proof.axes import taken_over
+from tests.proof.checker import SLACK, BoundUses, Proof, RunRecords, position
+from tests.proof.order import Order, Tie
+from tests.proof.segments import derivatives, spans
+from tests.proof.stretches import stretches
 
 # Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from math import inf, isfinite
 
-from motionlang.commands.prove.checker import SLACK, BoundUses, Proof
-from motionlang.commands.prove.order import Order
-from motionlang.commands.prove.segments import Span, derivatives, spans
-from motionlang.commands.prove.stretches import stretches, unavoidable_speed
 from motionlang.kernel import WholeTrack
+from tests.proof.checker import SLACK, BoundUses, Proof
+from tests.proof.order import Order
+from tests.proof.segments import Span, derivatives, spans
+from tests.proof.stretches import stretches, unavoidable_speed
 
 # Kinds that are planned from the settings of the axis, and so observe its rates.
 PLANNED = frozenset({"move", "step", "jog", "stop"})

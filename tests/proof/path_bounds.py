@@ -9,12 +9,12 @@ from collections.abc import Sequence
 from itertools import pairwise
 from math import inf, isfinite
 
-from motionlang.commands.prove.checker import SLACK, BoundUses, Proof
-from motionlang.commands.prove.order import Order
-from motionlang.commands.prove.path_layout import PathLayout
-from motionlang.commands.prove.segments import Span, combined, spans
-from motionlang.commands.prove.stretches import Stretch, stopping_distance, stretches, unavoidable_speed
 from motionlang.kernel.planners import Profile
+from tests.proof.checker import SLACK, BoundUses, Proof
+from tests.proof.order import Order
+from tests.proof.path_layout import PathLayout
+from tests.proof.segments import Span, combined, spans
+from tests.proof.stretches import Stretch, stopping_distance, stretches, unavoidable_speed
 
 # Fraction of the clock's time that distinguishes one path from the next.
 ROUNDED = 1e-12

@@ -43,21 +43,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 
-from motionlang.commands.prove.axes import PLANNED, check_profile
-from motionlang.commands.prove.checker import ROUNDED, SLACK, Proof, RunRecords
-from motionlang.commands.prove.entries import Ends, check_ends, take_entry
-from motionlang.commands.prove.expected_motion import MAX_PROFILES, ExpectedMotion
-from motionlang.commands.prove.followers import check_points, check_reference, check_tie
-from motionlang.commands.prove.offsets import check_missing
-from motionlang.commands.prove.order import Order, PathOrder
-from motionlang.commands.prove.outputs import check_report, check_trace
-from motionlang.commands.prove.paths import check_blended, check_path, check_path_end, in_force
-from motionlang.commands.prove.segments import half_angle
-from motionlang.commands.prove.settings import check_settings
 from motionlang.kernel import Diagnostic, WholeTrack
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import MotionState, Profile
 from motionlang.kernel.tracks import Recorded, Samples
+from tests.proof.axes import PLANNED, check_profile
+from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
+from tests.proof.entries import Ends, check_ends, take_entry
+from tests.proof.expected_motion import MAX_PROFILES, ExpectedMotion
+from tests.proof.followers import check_points, check_reference, check_tie
+from tests.proof.offsets import check_missing
+from tests.proof.order import Order, PathOrder
+from tests.proof.outputs import check_report, check_trace
+from tests.proof.paths import check_blended, check_path, check_path_end, in_force
+from tests.proof.segments import half_angle
+from tests.proof.settings import check_settings
 
 # The fractions of the time of a log entry at which the track is compared with it, in addition to its ends.
 SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)
@@ -78,7 +78,7 @@ def prove(
     proof = Proof()
     if expected_motion.is_full:
         message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of a proof"
-        proof.violations.append(Diagnostic("proof", message, hint="end the run sooner with --until"))
+        proof.violations.append(Diagnostic("crash", message, hint="end the run sooner with --until"))
         return proof
     run = RunRecords(controller.axes, controller.moves, expected_motion, until)
     if report is not None:

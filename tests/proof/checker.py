@@ -7,10 +7,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import accumulate
 from math import fsum, inf, isfinite
 
-from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.commands.prove.order import Order, PathOrder
 from motionlang.kernel import Axis, Diagnostic, WholeTrack
 from motionlang.kernel.log import CONTINUED, LoggedMove
+from tests.proof.expected_motion import ExpectedMotion
+from tests.proof.order import Order, PathOrder
 
 # The fraction of the largest figure that rounding may amount to.
 SLACK = 1e-6
@@ -58,7 +58,7 @@ class Proof:
 
     def breaks(self, line: int, message: str) -> None:
         """Record a violation."""
-        self.violations.append(Diagnostic("proof", message, line))
+        self.violations.append(Diagnostic("crash", message, line))
 
     def excuses(self, name: str) -> None:
         """Record a violation that the program has commanded."""

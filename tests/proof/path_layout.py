@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import atan2, ceil, copysign, cos, fsum, hypot, pi, sin
 
-from motionlang.commands.prove.order import PathOrder
-from motionlang.commands.prove.segments import rotation
+from tests.proof.order import PathOrder
+from tests.proof.segments import rotation
 
 
 class PathLayout:

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from motionlang import prove, run
 from motionlang.kernel import Source, read_machine
+from tests.proof import prove, run
 from tests.spec.cases import Case, cases, located
 
 PAGES = [Path(__file__).with_name(name) for name in ("told.mnt", "told.mcl")]
@@ -28,7 +28,7 @@ def ran(case: Case, side: int) -> Any:
         for machine in (False, True)
     ]
     settings = FINE | dict(read_machine(Source("told.machine.toml", texts[1])))
-    result = run(Source(case.path.name, texts[0]), machine=settings, prove=True)
+    result = run(Source(case.path.name, texts[0]), machine=settings)
     assert [each.message for each in result.diagnostics] == []
     return result
 
@@ -37,7 +37,7 @@ def ignored_orders(result: Any, told: Any) -> Iterator[tuple[tuple[int, float], 
     """Yield the order that begins a profile in one run alone, with its axis and time."""
     for number, a in told.controller.axes.items():
         own = result.controller.axes[number].starts
-        for start, order in zip(a.starts, told.listener.of[number], strict=True):
+        for start, order in zip(a.starts, told.controller.motion_listener.of[number], strict=True):
             if start not in own:
                 yield (number, start), order
 
@@ -49,9 +49,9 @@ def as_told(case: Case) -> Any:
     told = ran(case, 2)
     if IGNORED.search(case.source()):
         at, order = min(ignored_orders(result, told), key=lambda each: each[0][1])
-        result.listener.unheeded[at] = order
+        result.controller.motion_listener.unheeded[at] = order
     else:
-        result.listener = told.listener
+        result.controller.motion_listener = told.controller.motion_listener
     return result
 
 

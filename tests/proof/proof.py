@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from motionlang.commands.prove.checker import Proof
-from motionlang.commands.prove.checks import prove
-from motionlang.commands.prove.expected_motion import ExpectedMotion
-from motionlang.commands.prove.outputs import ROWS
 from motionlang.kernel import Run
 from motionlang.kernel.report import moves
 from motionlang.kernel.tracks import Recorded
+from tests.proof.checker import Proof
+from tests.proof.checks import prove
+from tests.proof.expected_motion import ExpectedMotion
+from tests.proof.outputs import ROWS
 
 
 def proof(run: Run, views: bool = True) -> Proof:
-    """Return the proof of the motion of a run against the commands; ValueError without `prove`.
+    """Return the proof of the motion of a run against the commands; ValueError if none is expected.
 
     With `views` the report and the trace are checked, too.
     """

@@ -1,1 +1,0 @@
-"""The proof of a run: checks its motion against the commands, without planners."""
