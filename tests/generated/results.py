@@ -286,10 +286,10 @@ def _changes(program: Generated) -> str:
 
 
 def _traced(program: Generated) -> str:
-    """Prove the motion of a program, and sample it."""
-    proved = _said("prove", program, "-q")
+    """Certify a program, and sample its motion."""
+    certified = _said("certify", program, "-q")
     _said("trace", program, "a.csv", "--rate", "25")
-    return _written(proved, "a.csv")
+    return _written(certified, "a.csv")
 
 
 # Options of `check`.
