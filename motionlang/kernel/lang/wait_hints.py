@@ -13,7 +13,6 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.keyword import BANK
-from motionlang.kernel.lang.machine.operator import ENTER
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.task import Task
 
@@ -137,7 +136,7 @@ def _key_that_ends(machine: Machine, wait: Wait) -> str | None:
             operator.keys = [ord(key)]
             with machine.controller.inputs.supposing({}):
                 if wait.ready():
-                    return f"'{ENTER}'" if key == "\r" else key
+                    return operator.typed(ord(key))
     finally:
         operator.keys = before
     return None

@@ -231,7 +231,8 @@ def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None
     cell.write(
         "a.mnt",
         "Dim k As Integer, kind As Integer\nLoop\n  Repeat\n    k = INKEY\n  Until k = 49 Or k = 50\n"
-        "  kind = k - 48\n  Pause INX(1)\n  If kind = 1 Then MOVER(0) = 20 : GO(0)\n  If kind = 2 Then MOVER(1) = 30 : GO(1)\n"
+        "  kind = k - 48\n  Pause INX(1)\n  If kind = 1 Then MOVER(0) = 20 : GO(0)\n"
+        "  If kind = 2 Then MOVER(1) = 30 : GO(1)\n"
         "  Pause IDLE(0) And IDLE(1)\n  Pause INX(1) = 0\nEnd Loop\n",
     )
     shown = " ".join(cell("map", "a.mnt").out.split())

@@ -100,6 +100,11 @@ class Operator:
         for listener in self.listeners:
             listener()
 
+    @staticmethod
+    def typed(code: int) -> str:
+        """Return the text of `--keys` that presses a key."""
+        return f"'{ENTER}'" if code == ord("\r") else chr(code)
+
     def next_key(self) -> int:
         """Return the next pressed key, or 0 if there is none."""
         if self.observer is not None:
