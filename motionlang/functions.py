@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal, overload
 
 from motionlang.cli.removed import refuse_prove
 from motionlang.kernel import (
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from motionlang.commands.compare.comparison import Comparison
     from motionlang.commands.cover import Coverage
     from motionlang.commands.diff.reports import Difference
+    from motionlang.commands.diff.ways import WaysCompared
     from motionlang.commands.improve import Improvement
     from motionlang.commands.map.program_map import ProgramMap
     from motionlang.commands.profile.profile import TimeProfile
@@ -188,18 +189,34 @@ def explore(program: Program) -> Exploration:
     """
     from motionlang.exploration import explored
 
-    return explored(program if isinstance(program, Source) else Source.read(os.fspath(program)))
+    return explored(_source_of(program))
 
 
-def diff(old: Side, new: Side, *tolerances: str) -> Difference:
+def _source_of(program: Program) -> Source:
+    return program if isinstance(program, Source) else Source.read(os.fspath(program))
+
+
+@overload
+def diff(old: Side, new: Side, *tolerances: str, explore: Literal[False] = False) -> Difference: ...
+@overload
+def diff(old: Program, new: Program, *, explore: Literal[True]) -> WaysCompared: ...
+def diff(old: Side, new: Side, *tolerances: str, explore: bool = False) -> Difference | WaysCompared:
     """Return the difference between two runs.
 
     It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program to run first.
     Moves, prints and events are aligned by content, so an inserted line is not a difference. `tolerances` are texts
-    such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. Raises
-    ValueError for a wrong tolerance or a report of an unknown version, ProgramError for a program with errors, and the
-    errors of `run`.
+    such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. With
+    `explore` two programs are compared in all ways that an exploration of either finds: the result has `same`,
+    `differences`, `later` for what only comes at another time, `cycles`, and `left`, the ways that were not compared;
+    `str` shows all of it. Raises ValueError for a wrong tolerance or a report of an unknown version, ProgramError for a
+    program with errors, and the errors of `run`.
     """
+    if explore:
+        from motionlang.commands.diff.ways import ways_of
+
+        if tolerances or not all(isinstance(side, str | os.PathLike | Source) for side in (old, new)):
+            raise ValueError("explore=True needs two programs, and no tolerances")
+        return ways_of(*(_source_of(side) for side in (old, new)))  # type: ignore[arg-type]
     from motionlang.commands.diff.reports import checked, difference
     from motionlang.commands.diff.tolerance import Tolerance
 

@@ -81,6 +81,10 @@ def _events(run: Run, number: int) -> int:
     return len(run.machine.log.events)
 
 
+def _switched(run: Run, channel: int) -> int:
+    return sum(each.channel == channel for each in run.machine.log.outputs)
+
+
 def _margin(run: Run, number: int) -> float | None:
     return least_margin(certificate(run.controller, run.machine.settings, run.time))
 
@@ -148,6 +152,7 @@ ROWS = (
     Quantity("torque.N", "N m", "largest torque of that motor", _motor("torque")),
     Quantity("rms_torque.N", "N m", "RMS torque over the run", _motor("torque", True)),
     Quantity("output.N", "V", "largest output to that motor", _motor("output")),
+    Quantity("switched.N", "", "how often output N was switched on or off", _switched),
     Quantity("cycle", "s", "period of the cycle that run names", lambda run, n: cycle_of(run, "cycle")),
     Quantity("cycle(…)", "s", "median time between moves, waits, outputs or prints of a line: cycle(12); between an "
              "output's being switched on: cycle(output 3); between lines with a text: cycle(print placed); or .least, "

@@ -39,6 +39,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
+from typing import NamedTuple
 
 from motionlang.exploration.changes import (
     TABLES,
@@ -46,13 +47,15 @@ from motionlang.exploration.changes import (
     Change,
     Channel,
     Entry,
+    Timeline,
     entries,
+    in_words,
     keys_of,
     number_in,
     tables_of,
 )
 from motionlang.exploration.cycles import MachineCycle, cycles
-from motionlang.exploration.rests import SHORTEST_REST, RestState, TaskRest
+from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.states import StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
@@ -75,10 +78,14 @@ __all__ = [
     "FoundWorld",
     "Interrupted",
     "MachineCycle",
+    "PlayedTimeline",
+    "Rest",
     "RestState",
     "StateNode",
     "TaskRest",
+    "Timeline",
     "Transition",
+    "Trial",
     "Visit",
     "asks",
     "causes_of",
@@ -87,6 +94,7 @@ __all__ = [
     "explains",
     "explore",
     "explored",
+    "in_words",
     "is_probe",
     "keys_of",
     "lead",
@@ -98,6 +106,14 @@ __all__ = [
     "without_figures",
     "without_world",
 ]
+
+
+class PlayedTimeline(NamedTuple):
+    """A run with a timeline: its record, the run, valid until the next play, and the rests of the machine."""
+
+    trial: Trial
+    run: Run
+    rests: Sequence[Rest]
 
 
 class Exploration:
@@ -135,6 +151,29 @@ class Exploration:
     def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
         """Return what the tasks that work do in a trial from a time on, in order."""
         return self._explorer.acts(self._explorer.part(trial, since, inf))
+
+    @property
+    def work(self) -> int:
+        """The statements that all trials so far have begun, and a share for each trial."""
+        return self._explorer.trials.work
+
+    @property
+    def settings(self) -> Mapping[str, object]:
+        """The settings in which it plays: those that a person gave, and the switches that it has found."""
+        return self._explorer.trials.base
+
+    def give(self, settings: Mapping[str, object]) -> None:
+        """Add settings for all later plays."""
+        self._explorer.trials.give(settings)
+
+    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedTimeline:
+        """Play the changes of a timeline from power-up, and record what the tasks do from a time on."""
+        trial = self._explorer.trials.play(timeline, since)
+        return PlayedTimeline(trial, self._explorer.trials.last, self._explorer.rests(trial))
+
+    def turns(self, cycle: MachineCycle, times: int) -> Trial:
+        """Play a cycle so many times, each change at the state that it leads on from."""
+        return played(self._explorer, cycle, times=times)
 
     def world_of(self, likeliest: Sequence[MachineCycle]) -> FoundWorld:
         """Return the world of the first of some cycles that repeats when it is played."""
@@ -207,12 +246,14 @@ def explore(
     return found
 
 
-def explored(source: Source) -> Exploration:
+def explored(source: Source, switches: Mapping[str, object] | None = None) -> Exploration:
     """Explore a program with the settings of the machine file next to it, but for its inputs, answers and the like.
+
+    `switches` are those of its axes, where that file has none.
 
     Raises ProgramError for a program or a machine file with errors.
     """
-    settings = without_world(settings_next_to(source.name))
+    settings = {**(switches or {}), **without_world(settings_next_to(source.name))}
     program = dialect_for(source, None).program(source, settings, is_debug=True)
     if program.errors:
         raise ProgramError(program.errors)

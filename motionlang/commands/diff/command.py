@@ -8,9 +8,9 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
@@ -38,13 +38,21 @@ from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
+from motionlang.exploration import Exploration, Interrupted, explore, without_world
 from motionlang.kernel import Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import build
+from motionlang.kernel.tools import count_of
+from motionlang.views.progress import Progress
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour
 
+if TYPE_CHECKING:
+    from motionlang.commands.diff.ways import WaysCompared
+
 SCHEMA = "motionlang.diff/2"
+# With --all the rows of a table are as many as there are.
+MAX_LINES_OF_ALL = 1_000_000
 
 # The name of a quantity, and its value in both runs.
 Kept = tuple[str, object, object]
@@ -127,6 +135,7 @@ examples:
   motionlang diff pick.mnt                       compare with the golden files
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
   motionlang diff old/pick.prg pick.mnt --scenarios    in every world of A
+  motionlang diff old/pick.prg pick.mnt --explore    in all ways of either
   motionlang diff pick.mnt --set-b rate=2000     two values of a constant
   motionlang diff pick.mnt --variant-a 0 --variant-b 12    of pick.sweep.toml
   motionlang diff pick.mnt drive.csv --map position.0=PosAct
@@ -134,6 +143,10 @@ examples:
     a: str = argument("A", "a program, or a report")
     b: str | None = argument("B", "another one", default=None)
     scenarios: bool = flag("compare in each scenario of A, too")
+    explore: bool = flag("compare two programs in all ways that an exploration of either finds")
+    write_scenarios: str | None = option(
+        "DIR", "with --explore: write a scenario for each difference, which passes on A and fails on B"
+    )
     tolerance: list[str] = option(
         "WHAT=SIZE",
         "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated",
@@ -160,6 +173,10 @@ examples:
             raise WrongOption("a recording as A needs another one as B; a program comes before its recording")
         if self.map or self.delay is not None:
             raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
+        if self.write_scenarios is not None and not self.explore:
+            raise WrongOption("--write-scenarios needs --explore")
+        if self.explore:
+            return self._in_all_ways(other)
         if self.scenarios:
             return self._in_scenarios(other, tolerance)
         if other is None and self.a.lower().endswith(".json"):
@@ -216,6 +233,67 @@ examples:
         shown = (f"{each.world}:{' ' if each.same else chr(10)}{each.differences}\n" for each in worlds)
         self.show(Document([table]), "".join(shown))
         return 0 if all(each.same for each in worlds) else 1
+
+    def _in_all_ways(self, other: str | None) -> int:
+        """Compare two programs in all ways that an exploration of either finds, and return the exit status."""
+        from motionlang.commands.diff.ways import Player, compared_ways
+        from motionlang.commands.diff.ways_view import MAX_LATER, input_names, ways_document, ways_text
+
+        if other is None or any(each.lower().endswith(".json") for each in (self.a, other)):
+            raise WrongOption("--explore needs two programs")
+        for name in ("scenarios", "keep", "plot", "tolerance", "until"):
+            if getattr(self, name):
+                raise WrongOption(f"--{name} and --explore exclude each other")
+        a = self._explored("a", self.a, {})
+        b = self._explored("b", other, a.switches.settings)
+        progress = Progress(sys.stderr, "ways")
+        try:
+            found = compared_ways(Player(a), Player(b), progress=progress)
+        except Interrupted as interrupted:
+            SIGNALS.end_with(interrupted.result)
+            raise
+        finally:
+            progress.done()
+        names = input_names(a)
+        self.show(
+            ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_LATER)
+        )
+        status = 0 if found.same else 1
+        if self.write_scenarios is not None:
+            status = max(status, self._write(found, names, self.write_scenarios))
+        return status
+
+    def _write(self, found: WaysCompared, names: Mapping[int, str], folder: str) -> int:
+        """Write the scenarios of the differences, and return the exit status."""
+        from motionlang.commands.diff.way_scenarios import write_scenarios
+
+        try:
+            paths, left = write_scenarios(found, names, folder)
+        except OSError as error:
+            raise Refused([unreadable(str(error.filename or folder), error)], file=folder) from None
+        written_files = count_of(len(paths), "scenario")
+        missing = f"; {count_of(len(left), 'difference')} that no expectation shows" if left else ""
+        sys.stderr.write(f"{written_files} written to {folder}{missing}\n")
+        return 0
+
+    def _explored(self, side: str, path: str, switches: Mapping[str, object]) -> Exploration:
+        """Explore the program of one side on its machine, and the switches of the other one."""
+        given = GivenProgram.of(self, side, path)
+        source = given.source()
+        settings = {**switches, **without_world(given.settings())}
+        progress = Progress(sys.stderr, os.path.basename(source.name))
+        try:
+            program = given.known_language().program(source, settings, is_debug=True)
+            program = program.with_values(given.overrides())
+            program.require()
+            return explore(program, settings, progress=progress)
+        except ProgramError as error:
+            raise Refused(error.diagnostics, source=source, file=path) from None
+        except Interrupted as interrupted:
+            SIGNALS.end_with(interrupted.result)
+            raise
+        finally:
+            progress.done()
 
     def _has_own_b(self) -> bool:
         own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)
@@ -318,6 +396,6 @@ def _lines(
     everything: bool,
     kept: Sequence[Kept],
 ) -> list[str]:
-    most = 1_000_000 if everything else MAX_LINES
+    most = MAX_LINES_OF_ALL if everything else MAX_LINES
     lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most)
     return [*literal_lines(changed, most), *quantity_lines(kept), *(lines or ["no difference"])]

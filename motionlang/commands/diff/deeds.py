@@ -1,0 +1,340 @@
+"""What a program does in a played way, and the differences from what another program does in it.
+
+A deed is a move, a switched output or a printed line. Each task has its own order. Deeds have no lines in a comparison:
+a moved sub is no difference. A move is the same if it goes to the same count at the same speed in counts, and is cut
+off in the same manner.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import inf
+from typing import NamedTuple
+
+from motionlang.commands.diff.align import aligned
+from motionlang.exploration import PlayedTimeline, described, plain, without_figures
+from motionlang.kernel import Run
+from motionlang.kernel.log import CONTINUED
+
+# A deed may come earlier or later by so much, s, and a move may take so much longer.
+WITHIN, MOTION = 0.025, 1e-3
+# What happens so shortly before the end of a run may come after it in another one, s.
+TAIL = 0.1
+# If an axis is elsewhere by so little, the peak of a short move may differ by this fraction.
+SLOWER = 0.02
+# Positions and speeds have so many digits in a comparison.
+DIGITS = 6
+# Deeds are in another order if they are no further apart than so many.
+ORDER = 4
+# The name of the handlers of a program in place of a task.
+HANDLERS = "handler"
+
+
+class Deed(NamedTuple):
+    """A deed: its times, s, its line, 0 if it is unknown, its subject, "" for a printed line, and words.
+
+    `exact` says how a move was cut off. Its `target` is in counts, None if it has none; so is its `speed`.
+    """
+
+    begin: float
+    end: float
+    line: int
+    subject: str
+    words: str
+    exact: tuple[object, ...] = ()
+    target: float | None = None
+    speed: float = 0.0
+
+    def __str__(self) -> str:
+        return f"{self.subject} {self.words}".strip() if self.subject else f"'{self.words}'"
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What is the same in two equal deeds, but for where a move is cut off, which a time decides."""
+        if not self.exact:
+            return self.subject, self.words
+        return self.subject, self.exact, None if self.is_cut else self.target, self.speed
+
+    @property
+    def kind(self) -> tuple[str, str]:
+        """The subject, and the words of a line or a switched output without figures."""
+        return self.subject, "" if self.exact else without_figures(self.words)
+
+    @property
+    def is_cut(self) -> bool:
+        """True if it is a move that was cut off."""
+        return bool(self.exact) and self.exact[1] != ""
+
+    @property
+    def is_switch(self) -> bool:
+        """True if it switches an output."""
+        return bool(self.subject) and not self.exact
+
+
+class PlayedWay(NamedTuple):
+    """What a program did in a way: the deeds of each task in order, how it ended and when, s.
+
+    `until` is how long it is known what it does: for ever if it ended, or if nothing could change any more. `status` is
+    "waits", "ended", or the code of the error with which it ended. `places` are where the axes rest at the end, by
+    number, in counts and user units. `stays` are the times of the rests of the machine.
+    """
+
+    deeds: Mapping[str, Sequence[Deed]]
+    status: str
+    time: float
+    until: float
+    places: Mapping[int, tuple[float, float]]
+    stays: Sequence[tuple[float, float]]
+
+    @property
+    def ordered(self) -> list[Deed]:
+        """The deeds of all tasks in the order of time."""
+        return sorted((each for some in self.deeds.values() for each in some), key=lambda each: each.begin)
+
+
+def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callable[[int], str]) -> PlayedWay:
+    """Return what a program did in a played timeline; `line` is that of a source offset, `owner` the task of a line."""
+    run, trial = played.run, played.trial
+    deeds: dict[str, list[Deed]] = defaultdict(list)
+    for each in sorted(_deeds(run, line), key=lambda deed: deed.begin):
+        deeds[owner(each.line)].append(each)
+    status = "waits" if not trial.has_ended else trial.status
+    if status == "fault":
+        status = next((each.code for each in run.diagnostics if each.severity == "error"), status)
+    places = {
+        number: (round(axis.position(run.time), 3), axis.scale.position_to_user(axis.position(run.time)))
+        for number, axis in run.controller.axes.items()
+        if axis.is_still and axis.profiles
+    }
+    until = inf if trial.is_stuck or trial.has_ended else run.time
+    stays = [(each.begin, each.end) for each in played.rests]
+    return PlayedWay(dict(deeds), status, run.time, until, places, stays)
+
+
+def _deeds(run: Run, line: Callable[[int], int]) -> Iterator[Deed]:
+    log = run.machine.log
+    homes = run.dialect.table().homes
+    for move in log.moves:
+        profile, is_homing = move.profile, homes(move.command)
+        words = described(move, is_homing)
+        if profile is None or not words:
+            continue
+        cut = "" if move.ended == CONTINUED else move.ended
+        is_whole = profile.duration < inf and not cut
+        end = move.start_time + (profile.duration if is_whole else 0.0)
+        target = _rounded(profile.end) if profile.duration < inf and not is_homing else None
+        if cut:
+            place = round(move.to_user(profile.end), 3) + 0.0
+            words = f"{move.command}, cut off at {place:.6g} ({cut})"
+        speed = _rounded(profile.peak_speed)
+        yield Deed(
+            move.start_time, end, move.line, f"axis {move.axis}", words, (is_homing, cut), target, speed
+        )
+    for each in log.outputs:
+        level = "on" if each.value else "off"
+        yield Deed(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
+    for text in log.prints:
+        yield Deed(text.time, text.time, _line(text.at, line), "", plain(text.text))
+
+
+def _line(at: int, line: Callable[[int], int]) -> int:
+    return line(at) if at >= 0 else 0
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.{DIGITS}g}") if abs(value) > 1e-6 else 0.0
+
+
+Row = tuple[Deed | None, Deed | None]
+
+
+class Difference(NamedTuple):
+    """A difference: what A does and what B does, none for a side that does nothing there; each with its time, s.
+
+    `end` are the sentences of two ends, or of places where an axis rests. `is_order` is True if both do the same in
+    another order.
+    """
+
+    a: Sequence[Deed]
+    b: Sequence[Deed]
+    end: tuple[str, str] | None = None
+    is_order: bool = False
+
+    @property
+    def key(self) -> object:
+        """What is the same for one difference in several ways."""
+        if self.end is not None:
+            return self.end
+        sides = (each[0] if each else None for each in (self.a, self.b))
+        return tuple(
+            None if each is None else (each.line, each.subject, each.words if each.is_switch else "")
+            for each in sides
+        )
+
+    @property
+    def begin(self) -> float:
+        """When it shows, s."""
+        return min([inf, *(each[0].begin for each in (self.a, self.b) if each)])
+
+
+class Later(NamedTuple):
+    """A deed that both do, `seconds` later in B; it `lasts` longer, or comes later than what is before it."""
+
+    deed: Deed
+    other: Deed
+    seconds: float
+    lasts: bool
+
+
+class Compared(NamedTuple):
+    """The differences of two played ways: what is done, what comes later, and the pairs of equal deeds."""
+
+    differences: Sequence[Difference]
+    later: Sequence[Later]
+    pairs: Sequence[tuple[Deed, Deed]]
+
+
+def compared(a: PlayedWay, b: PlayedWay) -> Compared:
+    """Return the differences of what two programs do in a way."""
+    found: list[Difference] = []
+    later: list[Later] = []
+    pairs: list[tuple[Deed, Deed]] = []
+    # By how much each axis may be elsewhere, in counts, since a move of it was cut off a little earlier or later.
+    drift: dict[str, float] = defaultdict(float)
+    end = min(a.until, b.until)
+    for task in dict.fromkeys((*a.deeds, *b.deeds)):
+        mine, others = ([each for each in one.deeds.get(task, ()) if each.begin <= end] for one in (a, b))
+        pairs += _task(mine, others, end, found, later, drift)
+    found.sort(key=lambda each: each.begin)
+    if not found:
+        found += _ends(a, b, {int(axis.split()[1]): far for axis, far in drift.items()})
+    return Compared(found, later, pairs)
+
+
+def _task(
+    mine: Sequence[Deed],
+    others: Sequence[Deed],
+    end: float,
+    found: list[Difference],
+    later: list[Later],
+    drift: dict[str, float],
+) -> list[tuple[Deed, Deed]]:
+    pairs: list[tuple[Deed, Deed]] = []
+    hunk: list[Row] = []
+    lags = [0.0]
+    rows: list[Row] = [
+        (None if i is None else mine[i], None if j is None else others[j])
+        for i, j in aligned(mine, others, lambda each: each.key, lambda each: each.kind)  # type: ignore[attr-defined]
+    ]
+    for k, (one, other) in enumerate([*rows, (None, None)]):
+        is_end = one is None and other is None
+        is_same = (
+            one is not None
+            and other is not None
+            and (_is_near(one, other, drift) or _is_time(one, other, lags))
+        )
+        if not is_same and not is_end:
+            hunk.append((one, other))
+            continue
+        if hunk and not is_end and _is_moved(rows[k + 1 :], hunk):
+            hunk.append((one, other))
+            continue
+        if hunk:
+            late = max(abs(lags[-1]), 0.0) + TAIL
+            _add(found, hunk, end - late if is_end else inf)
+            hunk = []
+        if one is not None and other is not None:
+            lags.append(other.end - one.end)
+            pairs.append((one, other))
+    _times(pairs, later)
+    return pairs
+
+
+def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:
+    """True if what one side lacks in a difference comes at the same moment a little later: another order."""
+    first = next((each for each in hunk[0] if each is not None), None)
+    if len(hunk) > ORDER or first is None or None not in hunk[0]:
+        return False
+    side = hunk[0].index(None)
+    near = (row[side] for row in rows[:ORDER] if row[1 - side] is None)
+    return any(
+        each is not None and each.key == first.key and each.begin - first.begin < WITHIN for each in near
+    )
+
+
+def _times(pairs: Sequence[tuple[Deed, Deed]], later: list[Later]) -> None:
+    """Add what takes longer, or comes later behind the deed before it."""
+    lag = 0.0
+    for one, other in pairs:
+        wait = other.begin - one.begin - lag
+        if abs(wait) > WITHIN:
+            later.append(Later(one, other, wait, False))
+        lasts = (other.end - other.begin) - (one.end - one.begin)
+        if abs(lasts) > MOTION:
+            later.append(Later(one, other, lasts, True))
+        lag = other.end - one.end if other.end > other.begin else other.begin - one.begin
+
+
+def _is_near(one: Deed, other: Deed, drift: dict[str, float]) -> bool:
+    """True if two deeds are the same, but for how far a move of the axis came until it was cut off."""
+    if one.subject != other.subject or one.exact != other.exact:
+        return False
+    if not one.exact:
+        return one.words == other.words
+    if one.target is None or other.target is None:
+        return one.target == other.target and one.speed == other.speed
+    apart, is_cut = abs(one.target - other.target), one.is_cut
+    allowed = drift[one.subject] + (one.speed * WITHIN if is_cut else 0.0)
+    if is_cut and apart <= allowed:
+        drift[one.subject] = max(drift[one.subject], apart)
+    is_as_fast = abs(one.speed - other.speed) <= (SLOWER * one.speed if drift[one.subject] else 0.0)
+    return is_as_fast and apart <= allowed
+
+
+def _is_time(one: Deed, other: Deed, lags: Sequence[float]) -> bool:
+    """True if two printed lines differ by figures alone, and those by the time that B is late, in s or ms."""
+    if one.subject or other.subject or one.kind != other.kind:
+        return False
+    figures = [
+        (float(x), float(y))
+        for x, y in zip(one.words.split(), other.words.split(), strict=False)
+        if x != y and _is_figure(x) and _is_figure(y)
+    ]
+    lag = other.begin - one.begin
+    delays = [lag - each for each in lags if abs(lag - each) > 5e-4]
+    return bool(figures) and all(
+        any(abs((y - x) * unit - each) <= 2e-3 for each in delays for unit in (1e-3, 1.0)) for x, y in figures
+    )
+
+
+def _is_figure(text: str) -> bool:
+    return text.replace(".", "", 1).lstrip("-").isdigit()
+
+
+def _add(found: list[Difference], hunk: Sequence[Row], end: float) -> None:
+    """Add a difference, but for what may come after the end of the other run."""
+    a = [one for one, _ in hunk if one is not None and (one.begin < end)]
+    b = [other for _, other in hunk if other is not None and (other.begin < end)]
+    if a or b:
+        is_order = len(a) > 1 and sorted(map(str, a)) == sorted(map(str, b))
+        found.append(Difference(a, b, None, is_order))
+
+
+def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[Difference]:
+    """Yield how two runs end, and where their axes rest then."""
+    if a.status != b.status:
+        yield Difference((), (), (_end(a), _end(b)))
+    elif a.status == "waits":
+        for axis in sorted(a.places.keys() & b.places.keys()):
+            (counts, place), (other_counts, other) = a.places[axis], b.places[axis]
+            if abs(counts - other_counts) > max(1.0, drift.get(axis, 0.0)):
+                yield Difference(
+                    (), (), (f"axis {axis} rests at {place:.6g}", f"axis {axis} rests at {other:.6g}")
+                )
+
+
+def _end(way: PlayedWay) -> str:
+    if way.status in ("waits", "ended", "stopped"):
+        return {"waits": "it goes on", "ended": "it ends", "stopped": "it stops"}[way.status]
+    return f"it ends with the error {way.status}"

@@ -1,0 +1,111 @@
+"""Differences as scenarios: each passes on A and fails on B."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from textwrap import wrap
+
+from motionlang.commands.diff.ways import FoundDifference, WaysCompared
+from motionlang.commands.diff.ways_view import Names, difference_words, way_words
+from motionlang.commands.init import slug
+from motionlang.commands.init.file import inline, toml_value
+from motionlang.commands.quantities import values_of
+from motionlang.commands.scenarios import unmet
+from motionlang.exploration import Entry, Exploration, plain, tables_of
+from motionlang.kernel import Run, run
+from motionlang.kernel.files import create
+
+# A scenario ends so long after its difference shows, s, and after what B does instead; positions are that exact, uu.
+BEYOND, WITHIN = 1.0, 0.001
+# So many letters of a way are in the name of a scenario.
+MAX_NAME = 48
+
+
+def write_scenarios(
+    found: WaysCompared, names: Names, folder: str
+) -> tuple[list[str], list[FoundDifference]]:
+    """Write a scenario for each difference, and return their paths, and the differences that no expectation shows.
+
+    Raises OSError if a file cannot be written.
+    """
+    os.makedirs(folder, exist_ok=True)
+    paths: list[str] = []
+    left: list[FoundDifference] = []
+    for each in found.differences:
+        text = scenario_text(found, each, names)
+        if text is None:
+            left.append(each)
+            continue
+        stem = slug(way_words(each.way, names).removeprefix("start; "))[:MAX_NAME].strip("-")
+        path = os.path.join(folder, f"{len(paths) + 1:02d}-{stem}.toml")
+        create(path, text.encode())
+        paths.append(path)
+    return paths, left
+
+
+def scenario_text(found: WaysCompared, each: FoundDifference, names: Names) -> str | None:
+    """Return the text of a scenario that shows a difference; None if none passes on A and fails on B."""
+    shown = [deeds[0].begin for deeds in (each.difference.a, each.difference.b) if deeds]
+    last = max((time for time, _ in each.way.timeline), default=0.0)
+    until = round(max(shown, default=min(each.a.time, each.b.time)) + BEYOND, 2)
+    tables = tables_of(each.way.timeline)
+    a, b = found.a, found.b
+    common = {key: value for key, value in a.settings.items() if b.settings.get(key) == value}
+    for end in dict.fromkeys((max(until, last + BEYOND), round(min(each.a.time, each.b.time), 2))):
+        made = [_run(one, {**tables, "run.until": end}) for one in (a, b)]
+        expected = list(_expected(*made))
+        if any(unmet(made[1], [entry]) for entry in expected) and not unmet(made[0], [*expected]):
+            above = {**common, "run.until": end}
+            return _text(each, names, above, tables, expected)
+    return None
+
+
+def _run(one: Exploration, settings: Mapping[str, object]) -> Run:
+    machine = {**one.settings, **settings}
+    return run(one.program.source, dialect=one.program.language, machine=machine)
+
+
+def _expected(a: Run, b: Run) -> Iterator[Entry]:
+    """Yield what a run of A has done, as expectations: first what that of B has not done."""
+    status: Entry = {"status": a.status}
+    if a.status in ("ended", "until", "fault", "stopped"):
+        yield status
+    codes = dict.fromkeys(each.code for each in a.diagnostics if each.severity == "error")
+    for code in codes:
+        yield {"diagnostic": code}
+    mine, others = ([plain(text) for text in one.output if plain(text)] for one in (a, b))
+    for text in dict.fromkeys(mine):
+        if text not in others:
+            yield {"prints": text}
+    for text in dict.fromkeys(others):
+        if not any(text in line for line in mine):
+            yield {"never_prints": text}
+    outputs = sorted({each.channel for one in (a, b) for each in one.machine.log.outputs})
+    axes = sorted({move.axis for one in (a, b) for move in one.machine.log.moves})
+    quantities = ["moves", *(f"switched.{each}" for each in outputs), *(f"peak.{each}" for each in axes)]
+    before, after = values_of(a, quantities), values_of(b, quantities)
+    for name, value in before.items():
+        if value != after[name] and isinstance(value, (int, float)):
+            yield {"quantity": name, "value": value, "within": WITHIN}
+    for number in axes:
+        axis = a.controller.axes[number]
+        if axis.is_still:
+            position = round(axis.scale.position_to_user(axis.position(a.time)), 4)
+            yield {"axis": number, "position": position, "within": WITHIN}
+
+
+def _text(
+    each: FoundDifference,
+    names: Names,
+    above: Mapping[str, object],
+    tables: Mapping[str, object],
+    expected: list[Entry],
+) -> str:
+    head = f"{way_words(each.way, names)}: {difference_words(each)}. It passes on A, and fails on B."
+    parts = ["".join(f"# {line}\n" for line in wrap(head, 98)), "\n"]
+    parts += [f"{key} = {toml_value(value)}\n" for key, value in sorted(above.items())]
+    for table, rows in {**tables, "expect": expected}.items():
+        assert isinstance(rows, list)
+        parts += [f"\n{table} = [\n", *(f"  {inline(row)},\n" for row in rows), "]\n"]
+    return "".join(parts)

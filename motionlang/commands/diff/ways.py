@@ -1,0 +1,411 @@
+"""Two programs compared in all ways that an exploration of either has found.
+
+Problem. One run shows one way. A time-out, a reject or another key of a menu is in none.
+
+Idea. Both programs are explored. A way is a timeline of changes that leads to a transition of either, a variant of it,
+or a cycle some times, until what the program counts to is full. Each way is played in both, and what they do is
+compared (`deeds.py`).
+
+If B does something later, a change that A has answered would come too early. So where anything differs, the way is
+played in B again with each change as long after B rests as it came after A rested. If no deed differs then, the two
+differ in time alone.
+
+Cost. Both explorations, at most `MAX_WORK` statements each, and at most `PLAYED` statements of both programs for the
+ways. Ways beyond are named, and not compared.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import groupby, pairwise
+from math import ceil, inf
+from operator import itemgetter
+
+from motionlang.commands.diff.deeds import (
+    HANDLERS,
+    Compared,
+    Deed,
+    Difference,
+    Later,
+    PlayedWay,
+    compared,
+    played_way,
+)
+from motionlang.exploration import TEXTS, Exploration, MachineCycle, Timeline, Trial, Visit, explored
+from motionlang.kernel import Source
+from motionlang.kernel.lang import Structure
+
+# The statements that both programs may begin in the ways.
+PLAYED = 2_000_000
+# A cycle is played so often at first, and at most, and so many cycles of each program are.
+TIMES, MAX_TIMES, CYCLES = 3, 40, 8
+# No further cycle of a program is made a way after so many statements.
+CYCLE_WORK = 300_000
+
+
+@dataclass
+class Way:
+    """A timeline of changes; `cycle` is the one that it repeats, and `of` has the programs that have it, "A" or "B"."""
+
+    timeline: Timeline
+    of: str
+    cycle: MachineCycle | None = None
+
+
+@dataclass
+class FoundDifference:
+    """A difference, with the shortest way that shows it; `times` is the number of ways that do."""
+
+    way: Way
+    # The changes as they come in B.
+    in_b: Timeline
+    difference: Difference
+    a: PlayedWay
+    b: PlayedWay
+    times: int = 1
+
+
+@dataclass
+class FoundLater:
+    """What only comes later in B, or takes longer, with the shortest way that shows it."""
+
+    way: Way
+    later: Later
+    times: int = 1
+
+
+@dataclass
+class CycleTime:
+    """How long a cycle takes in both programs, for one piece, s."""
+
+    way: Way
+    a: float
+    b: float
+
+
+@dataclass
+class WaysCompared:
+    """The result: how many ways were played, and what differs in them.
+
+    `same`, `differ`, `later` and `only` count the ways: those in which B only does the same at another time, and those
+    that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
+    `left` the ways that were not compared, and `is_whole` has the programs whose exploration is complete.
+    """
+
+    a: Exploration
+    b: Exploration
+    played: int = 0
+    equal: int = 0
+    differ: int = 0
+    timed: int = 0
+    only: dict[str, int] = field(default_factory=lambda: {"A": 0, "B": 0})
+    differences: list[FoundDifference] = field(default_factory=list)
+    later: list[FoundLater] = field(default_factory=list)
+    cycles: list[CycleTime] = field(default_factory=list)
+    unreached: dict[str, list[int]] = field(default_factory=dict)
+    left: list[Way] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        from motionlang.commands.diff.ways_view import input_names, ways_text
+
+        return ways_text(self, input_names(self.a))
+
+    @property
+    def same(self) -> bool:
+        """True if nothing differs in all ways that were found, and all of them were played."""
+        return not (self.left or self.differences or self.later)
+
+
+class Player:
+    """An explored program, its ways, and what it does in one; `names` are those of its tasks in a comparison."""
+
+    def __init__(self, exploration: Exploration) -> None:
+        self.exploration = exploration
+        self.names: Mapping[str, str] = {}
+        self._owners = exploration.program.structure.owners()
+
+    def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
+        """Yield the timelines that lead to the transitions, and to their variants, and those of the cycles."""
+        yield (), None
+        for node in self.exploration.nodes:
+            for each in node.transitions:
+                for causes in (each.causes, *each.variants):
+                    yield (each.visit.changed(causes) if causes else each.visit.timeline), None
+            # A key or an answer may lead back to where it was taken, and is no transition then.
+            for causes in node.tried:
+                if len(causes) == 1 and causes[0].table in TEXTS:
+                    yield node.first.changed(causes), None
+        begun = self.exploration.work
+        for cycle in [each for each in self.exploration.cycles if each.work][:CYCLES]:
+            yield until_full(self.exploration, cycle), cycle
+            if self.exploration.work - begun > CYCLE_WORK:
+                break
+        for cycle in self._detours():
+            if self.exploration.work - begun > CYCLE_WORK:
+                break
+            yield until_full(self.exploration, cycle), cycle
+
+    def _detours(self) -> Iterator[MachineCycle]:
+        """Yield the likeliest cycle behind each transition that returns to it, such as a reject or an alarm."""
+        cycle = next((each for each in self.exploration.cycles if each.work and each.repeats), None)
+        if cycle is None or not cycle.transitions:
+            return
+        inside = {(each.source, each.causes) for each in cycle.transitions}
+        for node in self.exploration.nodes:
+            for each in node.transitions:
+                is_on_cycle = each.target in cycle.states and (each.source, each.causes) not in inside
+                if is_on_cycle and each.causes and each.source is not None:
+                    timeline = each.visit.changed(each.causes)
+                    visit = Visit(timeline, each.visit.change_time + each.seconds)
+                    yield replace(cycle, visit=visit)
+
+    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedWay:
+        """Return what it does in a way; the rests are those from a time on."""
+        played = self.exploration.play(timeline, since)
+        return played_way(played, self.exploration.line, self._owner)
+
+    def _owner(self, line: int) -> str:
+        title = self._owners.get(line, HANDLERS)
+        return self.names.get(title, title)
+
+
+def ways_of(a: Source, b: Source) -> WaysCompared:
+    """Explore two programs with the settings of the machine files next to them, and compare them in all ways.
+
+    Raises ProgramError for a program or a machine file with errors.
+    """
+    first = explored(a)
+    return compared_ways(Player(first), Player(explored(b, first.switches.settings)))
+
+
+def compared_ways(
+    first: Player,
+    second: Player,
+    work: int = PLAYED,
+    *,
+    is_enough: Callable[[WaysCompared], bool] = lambda found: False,
+    progress: Callable[[float], object] = lambda share: None,
+) -> WaysCompared:
+    """Compare two explored programs in all ways that either exploration has found, by so much work.
+
+    It ends earlier where `is_enough` is true of what was found so far.
+    """
+    a, b = first.exploration, second.exploration
+    for one, other in ((a, b), (b, a)):
+        missing = {key: value for key, value in other.switches.settings.items() if key not in one.settings}
+        if missing:
+            one.give(missing)
+    first.names, second.names = _task_names(a.program.structure, b.program.structure)
+    begun = a.work + b.work
+    found = WaysCompared(a, b)
+    ways = all_ways(first, second)
+    comparison = _Comparison(found, first, second)
+    for k, way in enumerate(ways):
+        spent = a.work + b.work - begun
+        progress(min(spent / work, 1.0))
+        if spent >= work or is_enough(found):
+            found.left = ways[k:]
+            break
+        comparison.take(way)
+    order = {id(way): k for k, way in enumerate(sorted(ways, key=_length))}
+    found.differences.sort(key=lambda each: order[id(each.way)])
+    found.later.sort(key=lambda each: order[id(each.way)])
+    found.unreached = {"A": _unreached(a), "B": _unreached(b)}
+    return found
+
+
+def _length(way: Way) -> tuple[int, float]:
+    return len(way.timeline), way.timeline[-1][0] if way.timeline else 0.0
+
+
+def _task_names(a: Structure, b: Structure) -> tuple[dict[str, str], dict[str, str]]:
+    """Return a name for each task of two programs: its own if both have the same ones, and its number if not."""
+    titles = [[each.title for each in one.tasks()] for one in (a, b)]
+    own = [{title.lower() for title in some[1:]} for some in titles]
+    first, second = (
+        {
+            title: "program" if k == 0 else title.lower() if own[0] == own[1] else f"task {k}"
+            for k, title in enumerate(some)
+        }
+        for some in titles
+    )
+    return first, second
+
+
+# --------------------------------------------------------------------------------------------------------- ways
+
+
+def all_ways(a: Player, b: Player) -> list[Way]:
+    """Return the ways of two programs: the likeliest cycle first, then those with few changes, then other cycles.
+
+    Ways with the same changes before the last ones follow each other, since they go on from one start.
+    """
+    found: dict[Timeline, Way] = {}
+    for name, player in (("A", a), ("B", b)):
+        for timeline, cycle in player.ways():
+            timeline = tuple(sorted(timeline, key=itemgetter(0)))
+            way = found.setdefault(timeline, Way(timeline, name, cycle))
+            way.cycle = way.cycle or cycle
+            way.of = way.of if name in way.of else way.of + name
+    short = [way for way in found.values() if way.cycle is None]
+    short.sort(key=lambda way: (len(way.timeline), str(way.timeline[:-1]), _length(way)))
+    cycles = [way for way in found.values() if way.cycle is not None]
+    return [*cycles[:1], *short, *cycles[1:]]
+
+
+def until_full(one: Exploration, cycle: MachineCycle) -> Timeline:
+    """Return the timeline of a cycle that is played some times, and until what the program counts to is full."""
+    trial = one.turns(cycle, TIMES)
+    times = _times_to_full(trial)
+    if times > TIMES:
+        trial = one.turns(cycle, times)
+    return trial.timeline
+
+
+def _times_to_full(trial: Trial) -> int:
+    """Return how often a cycle of a trial must run until each number is reached that its comparisons count to."""
+    most = TIMES
+    for sides in trial.comparisons.values():
+        left = [b - a for a, b in sides if isinstance(a, (int, float)) and isinstance(b, (int, float))]
+        distances = [each for each, _ in groupby(left)]
+        if len(distances) < 3 or len({round(y - x, 6) for x, y in pairwise(distances)}) > 1:
+            continue
+        step = distances[1] - distances[0]
+        if distances[-1] * step >= 0.0:
+            continue  # it is reached, or goes away from it
+        turns = TIMES + ceil(abs(distances[-1] / step) * TIMES / (len(distances) - 1)) + 1
+        if turns <= MAX_TIMES:
+            most = max(most, turns)
+    return most
+
+
+# --------------------------------------------------------------------------------------------------- comparison
+
+
+class _Comparison:
+    """The comparison of one way after the other."""
+
+    def __init__(self, found: WaysCompared, a: Player, b: Player) -> None:
+        self.found, self.a, self.b = found, a, b
+        self._differences: dict[object, FoundDifference] = {}
+        self._later: dict[object, FoundLater] = {}
+        self._cycles: set[frozenset[int]] = set()
+
+    def take(self, way: Way) -> None:
+        """Play a way in both programs, and take note of what differs."""
+        found = self.found
+        last = way.timeline[-1][0] if way.timeline else 0.0
+        a, b = self.a.play(way.timeline, last), self.b.play(way.timeline, last)
+        timeline, result = way.timeline, compared(a, b)
+        if last > 0.0 and (result.differences or result.later):
+            timeline, b, result = self._followed(way.timeline, self.a.play(way.timeline), b, result)
+        found.played += 1
+        alone = self._alone(way, a, b)
+        if result.differences and alone:
+            found.only[alone] += 1
+        elif result.differences:
+            found.differ += 1
+        elif result.later:
+            found.timed += 1
+        else:
+            found.equal += 1
+        for each in result.differences[:1]:
+            known = self._differences.get(each.key)
+            if known is None:
+                known = self._differences[each.key] = FoundDifference(way, timeline, each, a, b)
+                found.differences.append(known)
+            else:
+                known.times += 1
+                if _length(way) < _length(known.way):
+                    known.way, known.in_b, known.difference, known.a, known.b = way, timeline, each, a, b
+        laters: dict[object, Later] = {}
+        for later in () if result.differences else result.later:
+            laters.setdefault((later.deed.line, later.deed.subject, later.lasts), later)
+        for key, later in laters.items():
+            slow = self._later.get(key)
+            if slow is None:
+                slow = self._later[key] = FoundLater(way, later)
+                found.later.append(slow)
+                continue
+            slow.times += 1
+            if _length(way) < _length(slow.way):
+                slow.way, slow.later = way, later
+        if way.cycle is not None and not result.differences and way.cycle.work not in self._cycles:
+            self._cycles.add(way.cycle.work)
+            found.cycles += _cycle_time(way, result)
+
+    def _alone(self, way: Way, a: PlayedWay, b: PlayedWay) -> str:
+        """Return "A" or "B" if only that program goes on after the last change of a way; "" if both do."""
+        last = way.timeline[-1][0] if way.timeline else inf
+        goes_on = [any(each.begin >= last for each in one.ordered) or one.status != "waits" for one in (a, b)]
+        if way.of in ("A", "B") and goes_on == [way.of == "A", way.of == "B"]:
+            return way.of
+        return ""
+
+    def _followed(
+        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: Compared
+    ) -> tuple[Timeline, PlayedWay, Compared]:
+        """Play the changes in B as long after its rests as they came after those of A."""
+        made: Timeline = ()
+        since, late = 0.0, 0.0
+        for time, group in groupby(timeline, key=lambda each: each[0]):
+            changes = tuple((time, change) for _, change in group)
+            if time > 0.0:
+                part = self.b.play(made, since) if made else self.b.play(())
+                moved = _moment(time, a, part, late)
+                if moved is None:
+                    return timeline, b, result
+                late = moved - time
+            since = max(time + late, since)
+            made = (*made, *((round(since, 6), change) for _, change in changes))
+        if made == timeline:
+            return timeline, b, result
+        again = self.b.play(made)
+        return made, again, compared(a, again)
+
+
+def _moment(time: float, a: PlayedWay, b: PlayedWay, late: float) -> float | None:
+    """Return when a change comes in B that came at a time in A; None if B has done something else before."""
+    pairs: list[tuple[Deed, Deed]] = []
+    for task, deeds in a.deeds.items():
+        mine = [each for each in deeds if each.begin < time]
+        others = b.deeds.get(task, ())
+        if mine and len(others) >= len(mine) and others[len(mine) - 1].subject == mine[-1].subject:
+            pairs.append((mine[-1], others[len(mine) - 1]))
+        elif mine:
+            return None
+    one, other = max(pairs, key=lambda pair: pair[0].begin, default=(None, None))
+    if one is None or other is None:
+        return time + late
+    if one.end > time or one.is_cut:  # in the middle of a move
+        return time + other.begin - one.begin
+    stays = [stay for stay in a.stays if one.end - 1e-3 <= stay[0] <= time]
+    others_stays = [stay for stay in b.stays if stay[0] >= other.end - 1e-3 or stay[1] == inf]
+    if not stays or not others_stays:
+        return time + other.end - one.end
+    stay = others_stays[min(len(stays), len(others_stays)) - 1]
+    return max(stay[0], other.end) + time - max(stays[-1][0], one.end)
+
+
+def _cycle_time(way: Way, result: Compared) -> Iterator[CycleTime]:
+    """Yield how long one turn of a cycle takes, if that differs."""
+    assert way.cycle is not None
+    turns: dict[tuple[int, str], list[tuple[float, float]]] = defaultdict(list)
+    for one, other in result.pairs:
+        if one.line in way.cycle.work and one.subject.startswith("axis"):
+            turns[one.line, one.subject].append((one.begin, other.begin))
+    often = max(turns.values(), key=len, default=[])
+    if len(often) > 1:
+        periods = sorted((x - w, y - v) for (w, v), (x, y) in pairwise(often))
+        a, b = periods[len(periods) // 2]
+        if abs(b - a) > 1e-3:
+            yield CycleTime(way, a, b)
+
+
+def _unreached(one: Exploration) -> list[int]:
+    structure = one.program.structure
+    return sorted(
+        {each.line for at, each in structure.statements.items() if not each.is_silent and at not in one.begun}
+    )

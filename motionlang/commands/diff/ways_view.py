@@ -1,0 +1,197 @@
+"""Two programs compared in all ways, as text and as data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
+
+from motionlang.commands.diff.deeds import Deed, Difference
+from motionlang.commands.diff.ways import CycleTime, FoundDifference, FoundLater, Way, WaysCompared
+from motionlang.commands.map.program_map import names_in_comments
+from motionlang.exploration import Change, Exploration, Timeline
+from motionlang.kernel import dialect
+from motionlang.kernel.tools import count_of, ranges
+from motionlang.views.table import Column, Document, Table
+from motionlang.views.terminal import printable
+
+# So many steps of a way, deeds of a difference, and rows that differ in time alone are shown.
+MAX_STEPS, MAX_DEEDS, MAX_LATER = 8, 3, 10
+
+# The names of inputs in the comments of a program, by number.
+Names = Mapping[int, str]
+
+
+def input_names(one: Exploration) -> dict[int, str]:
+    """Return the names of the inputs in the comments of a program."""
+    language = dialect(one.program.language)
+    return {
+        each.number: each.name
+        for each in names_in_comments(one.program.source, language)
+        if each.kind == "input"
+    }
+
+
+def ways_text(found: WaysCompared, names: Names, most: int = MAX_LATER) -> str:
+    """Return what two programs do differently: a sentence, then each difference, then what differs in time."""
+    lines = [summary(found)]
+    left = not_compared(found)
+    if left:
+        lines.append(f"not compared: {left}")
+    for each in found.differences:
+        lines.append(f"{way_words(each.way, names)}: {difference_words(each)}")
+    if found.cycles or found.later:
+        lines.append("only the time differs:")
+        lines += [f"  {_cycle(each)}" for each in found.cycles]
+        lines += [f"  {way_words(each.way, names)}: {later_words(each)}" for each in found.later[:most]]
+        if len(found.later) > most:
+            lines.append(f"  and {len(found.later) - most} more; --all lists them")
+    return "\n".join(lines) + "\n"
+
+
+def summary(found: WaysCompared) -> str:
+    """Return how many ways were played, how many differ, and what none has reached."""
+    parts = [f"{found.equal} the same"]
+    parts += [f"{found.differ} {_verb(found.differ, 'differ')}"] if found.differ else []
+    parts += [f"{found.timed} {_verb(found.timed, 'differ')} in time alone"] if found.timed else []
+    parts += [
+        f"{count} {_verb(count, 'exist')} only in {side}" for side, count in found.only.items() if count
+    ]
+    text = f"{count_of(found.played, 'way')} played in both: {', '.join(parts)}"
+    a, b = (found.unreached[side] for side in ("A", "B"))
+    if a and a == b:
+        return f"{text}; not reached in either: lines {ranges(a)}"
+    missed = [f"lines {ranges(lines)} of {side}" for side, lines in (("A", a), ("B", b)) if lines]
+    return f"{text}; not reached: {', '.join(missed)}" if missed else text
+
+
+def not_compared(found: WaysCompared) -> str:
+    """Return what was not compared since the budget had ended; "" if nothing was left."""
+    parts = [count_of(len(found.left), "way")] if found.left else []
+    parts += [
+        f"what the exploration of {side} had not found when its budget ended"
+        for side, one in (("A", found.a), ("B", found.b))
+        if not one.is_whole
+    ]
+    return ", ".join(parts)
+
+
+def _verb(count: int, verb: str) -> str:
+    return f"{verb}s" if count == 1 else verb
+
+
+def way_words(way: Way, names: Names) -> str:
+    """Return a way as an operator follows it: "start; part on; clamp closed on"."""
+    steps = [_step(changes, names) for changes in _steps(way.timeline)]
+    shown = (
+        steps
+        if len(steps) <= MAX_STEPS
+        else [*steps[: MAX_STEPS - 1], f"{len(steps) - MAX_STEPS + 1} more steps"]
+    )
+    return "; ".join(["start", *shown])
+
+
+def _steps(timeline: Timeline) -> Iterator[Sequence[Change]]:
+    for _, group in groupby(timeline, key=lambda each: each[0]):
+        yield [change for _, change in group]
+
+
+def _step(changes: Sequence[Change], names: Names) -> str:
+    return " and ".join(_change(each, names) for each in changes)
+
+
+def _change(change: Change, names: Names) -> str:
+    name = names.get(change.number, "") if change.table == "input" else ""
+    text = str(change)
+    return text.replace(change.subject, f"{change.subject} ({name})") if name else printable(text)
+
+
+def difference_words(found: FoundDifference) -> str:
+    """Return what A does and what B does, and when, counted from the last change of the way."""
+    difference = found.difference
+    if difference.end is not None:
+        return f"A: {difference.end[0]}, B: {difference.end[1]}{_often(found.times)}"
+    sides = (("A", difference.a, found.way.timeline), ("B", difference.b, found.in_b))
+    a, b = (f"{side} {_deeds(deeds, timeline, difference)}" for side, deeds, timeline in sides)
+    lines = [f"line {deeds[0].line} of {side}" for side, deeds, _ in sides if deeds and deeds[0].line]
+    return f"{a}, {b} ({', '.join(lines)}{_often(found.times)})"
+
+
+def _often(times: int) -> str:
+    return f", in {times} ways" if times > 1 else ""
+
+
+def _deeds(deeds: Sequence[Deed], timeline: Timeline, difference: Difference) -> str:
+    if not deeds:
+        return "does not"
+    text = ", then ".join(printable(str(each)) for each in deeds[:MAX_DEEDS])
+    rest = f" and {len(deeds) - MAX_DEEDS} more" if len(deeds) > MAX_DEEDS else ""
+    return f"{text}{rest} {_when(deeds[0].begin, timeline)}"
+
+
+def _when(time: float, timeline: Timeline) -> str:
+    last = max((each for each, _ in timeline if each <= time), default=0.0)
+    return f"after {time - last:.2f} s"
+
+
+def later_words(found: FoundLater) -> str:
+    """Return what comes later, or takes longer."""
+    later = found.later
+    if later.lasts:
+        word = "longer" if later.seconds > 0.0 else "shorter"
+        what = f"takes {abs(later.seconds):.3f} s {word} in B"
+    else:
+        what = f"comes {abs(later.seconds):.3f} s {'later' if later.seconds > 0.0 else 'earlier'} in B"
+    return f"{printable(str(later.deed))} {what} (line {later.deed.line} of A{_often(found.times)})"
+
+
+def _cycle(each: CycleTime) -> str:
+    assert each.way.cycle is not None
+    lines = ranges(each.way.cycle.work)
+    percent = 100.0 * (each.b - each.a) / each.a
+    return f"the cycle of lines {lines}: {each.a:.4g} → {each.b:.4g} s, {each.b - each.a:+.4f} s ({percent:+.2g} %)"
+
+
+def ways_document(found: WaysCompared, names: Names) -> Document:
+    """Return the comparison as data."""
+    differences = [
+        {
+            "way": way_words(each.way, names),
+            "a": [str(deed) for deed in each.difference.a],
+            "b": [str(deed) for deed in each.difference.b],
+            "text": difference_words(each),
+            "ways": each.times,
+        }
+        for each in found.differences
+    ]
+    later = [
+        {
+            "way": way_words(each.way, names),
+            "deed": str(each.later.deed),
+            "line": each.later.deed.line,
+            "seconds": each.later.seconds,
+            "lasts": each.later.lasts,
+            "ways": each.times,
+        }
+        for each in found.later
+    ]
+    cycles = [
+        {"lines": ranges(each.way.cycle.work) if each.way.cycle else "", "old": each.a, "new": each.b}
+        for each in found.cycles
+    ]
+    tables = [
+        Table("differences", list(map(Column, ("way", "a", "b", "text", "ways"))), differences),
+        Table("cycles", list(map(Column, ("lines", "old", "new"))), cycles),
+        Table("later", list(map(Column, ("way", "deed", "line", "seconds", "lasts", "ways"))), later),
+    ]
+    values = {
+        "equal": found.same,
+        "summary": summary(found),
+        "not_compared": not_compared(found),
+        "played": found.played,
+        "same": found.equal,
+        "differ": found.differ,
+        "timed": found.timed,
+        "only_a": found.only["A"],
+        "only_b": found.only["B"],
+    }
+    return Document(tables, values)

@@ -1,0 +1,44 @@
+"""`motionlang diff --explore` on a press with one line changed: the text of each change is in `ways/press.txt`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from tests.cli.programs import Cell
+
+FOLDER = Path(__file__).parent / "ways"
+# What is changed, and how: each text before and after.
+CHANGES = {
+    "a swapped condition behind a time-out": [('IF INX.0 THEN ? "PART', 'IF INX.0 = 0 THEN ? "PART')],
+    "a lost OUTX in an alarm handler": [("OUTX.2 = 1\n", "")],
+    "a reject that is counted twice": [("bad = bad + 1", "bad = bad + 2")],
+    "another order of two outputs": [("OUTX.1 = 1\nOUTX.3 = 1", "OUTX.3 = 1\nOUTX.1 = 1")],
+    "a handler that no longer stops": [("STOP.0\n", "")],
+    "a menu key that does something else": [('? "BAD ",bad : GOTO MENU', "GOTO WORK")],
+    "a longer dwell": [("WAIT = 100", "WAIT = 350")],
+    "a slower move": [("SPEED.0 = 200", "SPEED.0 = 150")],
+    "a renamed variable": [("bad", "rejects"), ('"BAD', '"BAD')],
+    "a moved sub": [
+        ("#IN2\nSTOP.0\nOUTX.2 = 1\n", "#IN2\nGOSUB HALT\nOUTX.2 = 1\n"),
+        ("#WORK\nPAUSE", "#HALT\nSTOP.0\nRETURN\n#WORK\nPAUSE"),
+    ],
+}
+
+
+@pytest.mark.slow
+def test_each_change_of_a_press(cell: Cell, golden: Callable[[Path, str], None]) -> None:
+    text = (FOLDER / "press.prg").read_text(encoding="utf-8")
+    cell.write("press.prg", text)
+    parts = []
+    for name, pairs in CHANGES.items():
+        changed = text
+        for old, new in pairs:
+            assert old in changed
+            changed = changed.replace(old, new)
+        cell.write("changed.prg", changed)
+        ran = cell("diff", "press.prg", "changed.prg", "--explore")
+        parts.append(f"== {name}\n{ran.out}{ran.err}exit status {ran.status}\n")
+    golden(FOLDER / "press.txt", "\n".join(parts))

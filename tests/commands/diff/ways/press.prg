@@ -1,0 +1,44 @@
+REM TEST PRESS FOR BUSHES
+REM IN 0 part   1 clamp closed   2 guard OPEN   3 gauge ok
+REM OUT 0 clamp   1 lamp   2 horn   3 air
+SCALE.0 = 100
+SPEED.0 = 200 : ACCEL.0 = 1000 : DECEL.0 = 1000
+OUT.0 = 0
+bad = 0
+#MENU
+? "1 WORK  2 COUNT"
+#KEY
+k = INKEY
+IF k = 49 THEN GOTO WORK
+IF k = 50 THEN ? "BAD ",bad : GOTO MENU
+GOTO KEY
+
+#WORK
+PAUSE INX.0
+OUTX.0 = 1
+t = 0
+#CLOSE
+IF INX.1 THEN GOTO PUSH
+WAIT = 20 : t = t + 1
+IF t < 50 THEN GOTO CLOSE
+OUTX.0 = 0
+IF INX.0 THEN ? "PART STUCK"
+PAUSE INX.0 = 0
+GOTO MENU
+
+#PUSH
+OUTX.1 = 1
+OUTX.3 = 1
+MOVEA.0 = 40 : GO.0 : PAUSE IDLE.0
+WAIT = 100
+IF INX.3 = 0 THEN bad = bad + 1 : ? "REJECT ",bad
+MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+OUT.0 = 0
+PAUSE INX.0 = 0
+GOTO WORK
+
+#IN2
+STOP.0
+OUTX.2 = 1
+? "GUARD"
+RETURN
