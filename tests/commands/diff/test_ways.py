@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -42,3 +43,25 @@ def test_each_change_of_a_press(cell: Cell, golden: Callable[[Path, str], None])
         ran = cell("diff", "press.prg", "changed.prg", "--explore")
         parts.append(f"== {name}\n{ran.out}{ran.err}exit status {ran.status}\n")
     golden(FOLDER / "press.txt", "\n".join(parts))
+
+
+@pytest.mark.slow
+def test_each_scenario_passes_on_a_and_fails_on_b(cell: Cell) -> None:
+    text = (FOLDER / "press.prg").read_text(encoding="utf-8")
+    cell.write("press.prg", text)
+    cell.write("changed.prg", text.replace("OUTX.2 = 1\n", "").replace("bad = bad + 1", "bad = bad + 2"))
+    ran = cell("diff", "press.prg", "changed.prg", "--explore", "--write-scenarios", "press.scenarios")
+    assert (ran.status, ran.err) == (1, "2 scenarios written to press.scenarios\n")
+    shutil.copytree(cell.folder / "press.scenarios", cell.folder / "changed.scenarios")
+    assert cell("verify", "press.prg").status == 0
+    failed = cell("verify", "changed.prg")
+    assert failed.status == 1
+    assert "switched.2" in failed.out + failed.err
+    assert "REJECT 1" in failed.out + failed.err
+
+
+def test_the_options_that_exclude_each_other(cell: Cell) -> None:
+    cell.write("a.prg", "END\n")
+    assert cell("diff", "a.prg", "a.prg", "--explore", "--scenarios").status == 2
+    assert cell("diff", "a.prg", "a.prg", "--write-scenarios", "out").status == 2
+    assert cell("diff", "a.prg", "--explore").status == 2
