@@ -11,6 +11,7 @@ import pytest
 from tests.cli.programs import Cell
 
 FOLDER = Path(__file__).parent / "ways"
+OLD = sorted((Path(__file__).parents[3] / "examples" / "old").glob("*.prg"))
 # What is changed, and how: each text before and after.
 CHANGES = {
     "a swapped condition behind a time-out": [('IF INX.0 THEN ? "PART', 'IF INX.0 = 0 THEN ? "PART')],
@@ -65,3 +66,14 @@ def test_the_options_that_exclude_each_other(cell: Cell) -> None:
     assert cell("diff", "a.prg", "a.prg", "--explore", "--scenarios").status == 2
     assert cell("diff", "a.prg", "a.prg", "--write-scenarios", "out").status == 2
     assert cell("diff", "a.prg", "--explore").status == 2
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("path", OLD, ids=lambda path: path.name)
+def test_a_port_to_mintmt_is_no_difference(path: Path, cell: Cell) -> None:
+    ported = f"{path.stem}.mnt"
+    for name in (path.name, ported):
+        cell.write(name, path.read_bytes())
+    assert cell("check", ported, "--fix", "--model", "mintmt", "--format", "none").status == 0
+    ran = cell("diff", path.name, ported, "--explore", "--format", "json")
+    assert ran.status == 0, ran.out
