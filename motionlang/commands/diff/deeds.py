@@ -149,7 +149,7 @@ def _rounded(value: float) -> float:
 Row = tuple[Deed | None, Deed | None]
 
 
-class Difference(NamedTuple):
+class DeedDifference(NamedTuple):
     """A difference: what A does and what B does, none for a side that does nothing there; each with its time, s.
 
     `end` are the sentences of two ends, or of places where an axis rests. `is_order` is True if both do the same in
@@ -187,17 +187,17 @@ class Later(NamedTuple):
     lasts: bool
 
 
-class Compared(NamedTuple):
+class ComparedDeeds(NamedTuple):
     """The differences of two played ways: what is done, what comes later, and the pairs of equal deeds."""
 
-    differences: Sequence[Difference]
+    differences: Sequence[DeedDifference]
     later: Sequence[Later]
     pairs: Sequence[tuple[Deed, Deed]]
 
 
-def compared(a: PlayedWay, b: PlayedWay) -> Compared:
+def compared(a: PlayedWay, b: PlayedWay) -> ComparedDeeds:
     """Return the differences of what two programs do in a way."""
-    found: list[Difference] = []
+    found: list[DeedDifference] = []
     later: list[Later] = []
     pairs: list[tuple[Deed, Deed]] = []
     # By how much each axis may be elsewhere, in counts, since a move of it was cut off a little earlier or later.
@@ -209,14 +209,14 @@ def compared(a: PlayedWay, b: PlayedWay) -> Compared:
     found.sort(key=lambda each: each.begin)
     if not found:
         found += _ends(a, b, {int(axis.split()[1]): far for axis, far in drift.items()})
-    return Compared(found, later, pairs)
+    return ComparedDeeds(found, later, pairs)
 
 
 def _task(
     mine: Sequence[Deed],
     others: Sequence[Deed],
     end: float,
-    found: list[Difference],
+    found: list[DeedDifference],
     later: list[Later],
     drift: dict[str, float],
 ) -> list[tuple[Deed, Deed]]:
@@ -312,24 +312,24 @@ def _is_figure(text: str) -> bool:
     return text.replace(".", "", 1).lstrip("-").isdigit()
 
 
-def _add(found: list[Difference], hunk: Sequence[Row], end: float) -> None:
+def _add(found: list[DeedDifference], hunk: Sequence[Row], end: float) -> None:
     """Add a difference, but for what may come after the end of the other run."""
     a = [one for one, _ in hunk if one is not None and (one.begin < end)]
     b = [other for _, other in hunk if other is not None and (other.begin < end)]
     if a or b:
         is_order = len(a) > 1 and sorted(map(str, a)) == sorted(map(str, b))
-        found.append(Difference(a, b, None, is_order))
+        found.append(DeedDifference(a, b, None, is_order))
 
 
-def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[Difference]:
+def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[DeedDifference]:
     """Yield how two runs end, and where their axes rest then."""
     if a.status != b.status:
-        yield Difference((), (), (_end(a), _end(b)))
+        yield DeedDifference((), (), (_end(a), _end(b)))
     elif a.status == "waits":
         for axis in sorted(a.places.keys() & b.places.keys()):
             (counts, place), (other_counts, other) = a.places[axis], b.places[axis]
             if abs(counts - other_counts) > max(1.0, drift.get(axis, 0.0)):
-                yield Difference(
+                yield DeedDifference(
                     (), (), (f"axis {axis} rests at {place:.6g}", f"axis {axis} rests at {other:.6g}")
                 )
 

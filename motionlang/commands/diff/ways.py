@@ -25,9 +25,9 @@ from operator import itemgetter
 
 from motionlang.commands.diff.deeds import (
     HANDLERS,
-    Compared,
+    ComparedDeeds,
     Deed,
-    Difference,
+    DeedDifference,
     Later,
     PlayedWay,
     compared,
@@ -61,7 +61,7 @@ class FoundDifference:
     way: Way
     # The changes as they come in B.
     in_b: Timeline
-    difference: Difference
+    difference: DeedDifference
     a: PlayedWay
     b: PlayedWay
     times: int = 1
@@ -345,8 +345,8 @@ class _Comparison:
         return ""
 
     def _followed(
-        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: Compared
-    ) -> tuple[Timeline, PlayedWay, Compared]:
+        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedDeeds
+    ) -> tuple[Timeline, PlayedWay, ComparedDeeds]:
         """Play the changes in B as long after its rests as they came after those of A."""
         made: Timeline = ()
         since, late = 0.0, 0.0
@@ -389,7 +389,7 @@ def _moment(time: float, a: PlayedWay, b: PlayedWay, late: float) -> float | Non
     return max(stay[0], other.end) + time - max(stays[-1][0], one.end)
 
 
-def _cycle_time(way: Way, result: Compared) -> Iterator[CycleTime]:
+def _cycle_time(way: Way, result: ComparedDeeds) -> Iterator[CycleTime]:
     """Yield how long one turn of a cycle takes, if that differs."""
     assert way.cycle is not None
     turns: dict[tuple[int, str], list[tuple[float, float]]] = defaultdict(list)

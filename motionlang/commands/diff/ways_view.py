@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.deeds import Deed, Difference
+from motionlang.commands.diff.deeds import Deed, DeedDifference
 from motionlang.commands.diff.ways import CycleTime, FoundDifference, FoundLater, Way, WaysCompared
 from motionlang.commands.map.program_map import names_in_comments
 from motionlang.exploration import Change, Exploration, Timeline
@@ -120,7 +120,7 @@ def _often(times: int) -> str:
     return f", in {times} ways" if times > 1 else ""
 
 
-def _deeds(deeds: Sequence[Deed], timeline: Timeline, difference: Difference) -> str:
+def _deeds(deeds: Sequence[Deed], timeline: Timeline, difference: DeedDifference) -> str:
     if not deeds:
         return "does not"
     text = ", then ".join(printable(str(each)) for each in deeds[:MAX_DEEDS])
