@@ -287,12 +287,12 @@ def test_suggested_scenarios_are_to_be_reviewed(cell: Cell) -> None:
         cell("cover", "line.prg", "--suggest").out
         == """\
 line.prg: 22 % → 100 % with 2 scenarios
-  line.scenarios/input-0-on.toml: reaches lines 4-5, 7
-  line.scenarios/input-0-on-and-input-1-on.toml: reaches lines 6
+  line.scenarios/input-0-on-standby-lab.toml: reaches lines 4-5, 7
+  line.scenarios/input-0-on-and-input-1-on-standby-lab.toml: reaches lines 6
 """
     )
     assert (
-        (cell.folder / "line.scenarios" / "input-0-on.toml").read_text()
+        (cell.folder / "line.scenarios" / "input-0-on-standby-lab.toml").read_text()
         == """\
 # A world of line.prg, found by motionlang cover --suggest. It reaches lines 4-5, 7. The
 # expectations are what the program does in it: check whether they are what it should do.
@@ -332,7 +332,7 @@ def test_a_scenario_has_the_names_of_its_changes(cell: Cell) -> None:
     cell.write("old.prg", GUARD)
     cell("cover", "old.prg", "--suggest")
     names = sorted(path.name for path in (cell.folder / "old.scenarios").iterdir())
-    assert names == ["input-1-on-and-guard-on.toml", "work.toml"]
+    assert names == ["input-1-on-and-guard-on-guard.toml", "work.toml"]
     text = (cell.folder / "old.scenarios" / names[0]).read_text()
     assert '\n[[expect]]\nprints = "GUARD"\n' in text
     assert cell("verify", "old.prg").status == 0
