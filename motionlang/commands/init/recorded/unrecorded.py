@@ -36,6 +36,8 @@ MAX_RUNS, MAX_FAILED, MAX_MISSING = 80, 4, 4
 SHARE = 0.01
 # The largest number that is tried.
 MAX_NUMBER = 10_000
+# The period of keys that came when they were asked for, s, before the recording says when they did.
+EVERY = 2.0
 # When an entry comes; the other keys say what it is.
 TIMES = ("at", "every", "times", "output", "level", "delay", "for")
 
@@ -78,12 +80,20 @@ class _Attempt(NamedTuple):
 
 def fitted(guesses: Tables, recording: MeasuredRecording, play: Callable[[Tables], Run]) -> FittedWorld:
     """Return guessed entries as the marks of a recording need them; `play` runs the program with some."""
-    before = tuple((table, entry) for table in TABLES for entry in guesses.get(table, ()))
+    before = tuple((table, _timed(entry)) for table in TABLES for entry in guesses.get(table, ()))
     fit = _Fit(before, recording, play)
     if before:
         fit.improve()
     changed = [each for each in fit.best.world if each not in before]
     return FittedWorld(_tables(fit.best.world), fit.best.run, changed)
+
+
+def _timed(entry: Entry) -> Entry:
+    """Return an entry with times in place of `asked`: the recording shows when it came, and how often."""
+    if "asked" not in entry:
+        return entry
+    kept = {key: value for key, value in entry.items() if key != "asked"}
+    return {**kept, "at": entry["asked"], **({"every": EVERY} if "text" in entry else {})}
 
 
 def _tables(world: World) -> dict[str, list[Entry]]:
