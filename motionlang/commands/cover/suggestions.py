@@ -117,7 +117,8 @@ class Search:
         for each in list(causes)[:MAX_NAMED]:
             name = self._names.get(("input", str(each.number)), "") if each.table == "input" else ""
             parts.append(slug(str(each).replace(each.subject, name) if name else str(each)))
-        words = "-and-".join(parts).split("-") + slug(_wording(next(iter(said), ""))).split("-")
+        words = "-and-".join(parts).split("-")
+        words += [each for each in slug(_wording(next(iter(said), ""))).split("-") if each not in words]
         name = ""
         for word in filter(None, words):
             if len(name) + 1 + len(word) > MAX_NAME:

@@ -332,7 +332,7 @@ def test_a_scenario_has_the_names_of_its_changes(cell: Cell) -> None:
     cell.write("old.prg", GUARD)
     cell("cover", "old.prg", "--suggest")
     names = sorted(path.name for path in (cell.folder / "old.scenarios").iterdir())
-    assert names == ["input-1-on-and-guard-on-guard.toml", "work.toml"]
+    assert names == ["input-1-on-and-guard-on.toml", "work.toml"]
     text = (cell.folder / "old.scenarios" / names[0]).read_text()
     assert '\n[[expect]]\nprints = "GUARD"\n' in text
     assert cell("verify", "old.prg").status == 0

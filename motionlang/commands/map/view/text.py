@@ -19,7 +19,7 @@ from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
 # So many ways of states that are not in the cycle, and effects of handlers, are shown without --all.
-MAX_WAYS, MAX_HANDLERS = 24, 6
+MAX_WAYS, MAX_HANDLERS = 40, 6
 MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_CYCLE_ROWS = 10, 5, 3, 40
 
 
