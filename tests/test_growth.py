@@ -76,6 +76,9 @@ SHAPES: dict[str, Callable[[int], str]] = {
     ),
     "jumps.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MJ{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
     "calls.mcl": lambda n: "1MN\n" + "".join(f"MD{i},1MR100,MC{i + 1}\n1WS0\n" for i in range(n // 2)) + "MC1\n",
+    "table.mcl": lambda n: (
+        "1MN\n" + "".join(f"MD{i},WN1,WA.01,AL{i * 7 % n},AR40,MJ@40\n" for i in range(n)) + "MC1\n"
+    ),
 }  # fmt: skip
 COMMANDS = ("check", "steps", "map", "run", "diff", "cover", "edit", "explore")
 # Each of so many tasks and handlers looks at what each other one does, so a run to their end is no measure.

@@ -200,7 +200,7 @@ def test_loops_of_gotos_that_overlap_are_one() -> None:
         ("MD1,AL1,AR20\nGT1\nRA20,IB1,JP0,NO", "JP0", {("task", None)}, {("task", None)}, {3}, "accumulator < 1"),
         # A macro that the loop calls belongs to it; one that it does not know does not.
         ("MD3,IN5,NO\nNO\nMC3,MC4,RP", "RP", set(), {("input", 5)}, {1, 3}, ""),
-        ("MD3,IN5,NO\nMC@3,RP", "RP", set(), {("input", 5)}, {1, 2}, ""),
+        ("MD3,IN5,NO\nMC@3,RP", "RP", set(), set(), {2}, ""),
     ],
 )  # fmt: skip
 def test_the_reads_of_a_loop_of_mccl(

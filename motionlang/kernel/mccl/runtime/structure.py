@@ -64,12 +64,14 @@ def structure(
     end.add(END)
     in_sequence = [*foreground, end]
     graph = StepGraph(
-        [*in_sequence, *(body for _, body in bodies), *choices], in_sequence, _computed, enters=True
+        [*in_sequence, *(body for _, body in bodies), *choices.values()], in_sequence, _computed, enters=True
     )
     units = [Unit("program", "program", 0, 0)]
     for number, body in bodies:
         again = f" of line {body.line.number}" if body is not macros[number][-1] else ""
         units.append(Unit(f"{number}{again}", "macro", body.line.number, graph.first(body)))
+    # A jump by a register has a unit of its own, so that its callers and the macros behind it are not multiplied.
+    units += (Unit(name, "macro", each.line_number, graph.first(each)) for name, each in choices.items())
     writes = frozenset(
         at + len(command.text) - len(str(command.number))
         for line in lines
@@ -91,10 +93,10 @@ def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
             steps.called[pc] = (above or found)[-1], 0
 
 
-def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) -> list[Steps]:
-    """Link the calls by registers, each to a list of steps that enters one of the macros that its register may name.
+def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) -> dict[str, Steps]:
+    """Link the calls by registers that get only constants, as in AL200,AR40: to steps that enter one of these macros.
 
-    Those are the numbers that the register gets, if it gets only constants: AL200,AR40. Else it may be any macro.
+    The steps of each such register are returned by its name. What any other register calls stays unknown.
     """
     calls: dict[int, list[tuple[LineSteps, int]]] = {}
     given: dict[int, set[int | None]] = {}
@@ -112,17 +114,17 @@ def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) 
                 constant = None
                 if command.kind == REGISTER:
                     calls.setdefault(int(command.value), []).append((steps, pc))
-    found: list[Steps] = []
+    found: dict[str, Steps] = {}
     for register, places in calls.items():
         numbers = given.get(register, {None})
-        known = macros if None in numbers else [each for each in macros if each in numbers]
-        choice = Steps()
-        choice.name = f"@{register}"
-        for number in known:
+        if None in numbers:
+            continue
+        choice = found[f"@{register}"] = Steps()
+        choice.name, choice.line_number = f"@{register}", places[0][0].line.number
+        for number in sorted(macros.keys() & numbers):
             choice.add(BRANCH, to=len(choice) + 2)
             choice.called[choice.add(ENTER)] = macros[number][-1], 0
         choice.add(END)
-        found.append(choice)
         for steps, pc in places:
             steps.called[pc] = choice, 0
     return found
