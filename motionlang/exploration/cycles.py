@@ -56,7 +56,7 @@ class MachineCycle:
 
     @property
     def said(self) -> list[str]:
-        """What is printed in it, in order."""
+        """The lines printed in it, in order."""
         return [act.words for each in self.transitions for act in each.acts if not act.subject]
 
     @property

@@ -84,7 +84,7 @@ def as_before(explorer: Explorer, node: StateNode) -> Iterator[Causes]:
 
 
 def pulses(explorer: Explorer, node: StateNode, visit: Visit, change: Change) -> Iterator[Causes]:
-    """Yield an input that comes and goes as often as the program counts it, where once leads nowhere."""
+    """Yield an input that comes and goes as often as the program counts it, if one pulse leads nowhere."""
     once = explorer.changed(visit, _pulses(change, 1))
     last = explorer.rests(once)[-1:]
     if [each.state for each in last] == [node.state] and not once.part(visit.change_time, inf).moves:
@@ -106,7 +106,7 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
     for at, read in list(node.reads.items()):
         channels = _that_matter(explorer, visit, at, list(read))
         choices = [each for channel in channels if (each := _choices(node, channel, levels))]
-        # Numbers of which nothing follows: the rest of the condition decides before they are compared.
+        # No comparison has used these numbers yet: the rest of the condition decides first.
         unsolved = [each for each in channels if each[0] not in ("input", *TEXTS) and each not in node.solved]
         most = MAX_TOGETHER if len(channels) <= MAX_CONDITION else 2
         for count in range(2, min(len(channels), most) + 1):

@@ -164,7 +164,7 @@ class Explorer:
                 self.take(node, visit, causes, self.changed(visit, causes))
 
     def take(self, node: StateNode, visit: Visit, causes: Causes, trial: Trial) -> None:
-        """Take what a trial has found; ask further if it is something new."""
+        """Record a trial; ask more questions if it has found something new."""
         self.tried.add(trial.timeline)
         node.tried[causes] = None
         states, read = len(self.nodes), len(node.channels)

@@ -1,4 +1,4 @@
-"""What a recording is compared with: a run of the program, or an older recording of the machine.
+"""The baseline of a recording: a run of the program, or an older recording of the machine.
 
 Both have the position of each axis at any time and a list of moves, so that one comparison serves both. A recording has
 no commands: its moves are its strokes, its velocity is the slope of its positions, and its time 0 is its first row.

@@ -4,10 +4,10 @@ Problem. One run shows one way. A time-out, a reject or another key of a menu is
 
 Idea. Both programs are explored. A way is a timeline of changes that leads to a transition of either, a variant of it,
 or a cycle some times, until what the program counts to is full. Each way is played in both, and what they do is
-compared (`deeds.py`).
+compared (`acts.py`).
 
 If B does something later, a change that A has answered would come too early. So where anything differs, the way is
-played in B again with each change as long after B rests as it came after A rested. If no deed differs then, the two
+played in B again with each change as long after B rests as it came after A rested. If no act differs then, the two
 differ in time alone.
 
 Cost. Both explorations, at most `MAX_WORK` statements each, and at most `PLAYED` statements of both programs for the
@@ -23,11 +23,11 @@ from itertools import groupby, pairwise
 from math import ceil, inf
 from operator import itemgetter
 
-from motionlang.commands.diff.deeds import (
+from motionlang.commands.diff.acts import (
     HANDLERS,
-    ComparedDeeds,
-    Deed,
-    DeedDifference,
+    ComparedAct,
+    ComparedActs,
+    ActDifference,
     Later,
     PlayedWay,
     compared,
@@ -61,7 +61,7 @@ class FoundDifference:
     way: Way
     # The changes as they come in B.
     in_b: Timeline
-    difference: DeedDifference
+    difference: ActDifference
     a: PlayedWay
     b: PlayedWay
     times: int = 1
@@ -69,7 +69,7 @@ class FoundDifference:
 
 @dataclass
 class FoundLater:
-    """What only comes later in B, or takes longer, with the shortest way that shows it."""
+    """An act that comes later in B, or takes longer, with the shortest way that shows it."""
 
     way: Way
     later: Later
@@ -322,7 +322,7 @@ class _Comparison:
                     known.way, known.in_b, known.difference, known.a, known.b = way, timeline, each, a, b
         laters: dict[object, Later] = {}
         for later in () if result.differences else result.later:
-            laters.setdefault((later.deed.line, later.deed.subject, later.lasts), later)
+            laters.setdefault((later.act.line, later.act.subject, later.lasts), later)
         for key, later in laters.items():
             slow = self._later.get(key)
             if slow is None:
@@ -345,8 +345,8 @@ class _Comparison:
         return ""
 
     def _followed(
-        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedDeeds
-    ) -> tuple[Timeline, PlayedWay, ComparedDeeds]:
+        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs
+    ) -> tuple[Timeline, PlayedWay, ComparedActs]:
         """Play the changes in B as long after its rests as they came after those of A."""
         made: Timeline = ()
         since, late = 0.0, 0.0
@@ -368,10 +368,10 @@ class _Comparison:
 
 def _moment(time: float, a: PlayedWay, b: PlayedWay, late: float) -> float | None:
     """Return when a change comes in B that came at a time in A; None if B has done something else before."""
-    pairs: list[tuple[Deed, Deed]] = []
-    for task, deeds in a.deeds.items():
-        mine = [each for each in deeds if each.begin < time]
-        others = b.deeds.get(task, ())
+    pairs: list[tuple[ComparedAct, ComparedAct]] = []
+    for task, acts in a.acts.items():
+        mine = [each for each in acts if each.begin < time]
+        others = b.acts.get(task, ())
         if mine and len(others) >= len(mine) and others[len(mine) - 1].subject == mine[-1].subject:
             pairs.append((mine[-1], others[len(mine) - 1]))
         elif mine:
@@ -389,7 +389,7 @@ def _moment(time: float, a: PlayedWay, b: PlayedWay, late: float) -> float | Non
     return max(stay[0], other.end) + time - max(stays[-1][0], one.end)
 
 
-def _cycle_time(way: Way, result: ComparedDeeds) -> Iterator[CycleTime]:
+def _cycle_time(way: Way, result: ComparedActs) -> Iterator[CycleTime]:
     """Yield how long one turn of a cycle takes, if that differs."""
     assert way.cycle is not None
     turns: dict[tuple[int, str], list[tuple[float, float]]] = defaultdict(list)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.deeds import Deed, DeedDifference
+from motionlang.commands.diff.acts import ComparedAct, ActDifference
 from motionlang.commands.diff.ways import CycleTime, FoundDifference, FoundLater, Way, WaysCompared
 from motionlang.commands.map.program_map import names_in_comments
 from motionlang.exploration import Change, Exploration, Timeline
@@ -14,8 +14,8 @@ from motionlang.kernel.tools import count_of, ranges
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable
 
-# So many steps of a way, deeds of a difference, and rows that differ in time alone are shown.
-MAX_STEPS, MAX_DEEDS, MAX_LATER = 8, 3, 10
+# So many steps of a way, acts of a difference, and rows that differ in time alone are shown.
+MAX_STEPS, MAX_ACTS, MAX_LATER = 8, 3, 10
 
 # The names of inputs in the comments of a program, by number.
 Names = Mapping[int, str]
@@ -111,8 +111,8 @@ def difference_words(found: FoundDifference) -> str:
     if difference.end is not None:
         return f"A: {difference.end[0]}, B: {difference.end[1]}{_often(found.times)}"
     sides = (("A", difference.a, found.way.timeline), ("B", difference.b, found.in_b))
-    a, b = (f"{side} {_deeds(deeds, timeline, difference)}" for side, deeds, timeline in sides)
-    lines = [f"line {deeds[0].line} of {side}" for side, deeds, _ in sides if deeds and deeds[0].line]
+    a, b = (f"{side} {_acts(acts, timeline, difference)}" for side, acts, timeline in sides)
+    lines = [f"line {acts[0].line} of {side}" for side, acts, _ in sides if acts and acts[0].line]
     return f"{a}, {b} ({', '.join(lines)}{_often(found.times)})"
 
 
@@ -120,12 +120,12 @@ def _often(times: int) -> str:
     return f", in {times} ways" if times > 1 else ""
 
 
-def _deeds(deeds: Sequence[Deed], timeline: Timeline, difference: DeedDifference) -> str:
-    if not deeds:
+def _acts(acts: Sequence[ComparedAct], timeline: Timeline, difference: ActDifference) -> str:
+    if not acts:
         return "does not"
-    text = ", then ".join(printable(str(each)) for each in deeds[:MAX_DEEDS])
-    rest = f" and {len(deeds) - MAX_DEEDS} more" if len(deeds) > MAX_DEEDS else ""
-    return f"{text}{rest} {_when(deeds[0].begin, timeline)}"
+    text = ", then ".join(printable(str(each)) for each in acts[:MAX_ACTS])
+    rest = f" and {len(acts) - MAX_ACTS} more" if len(acts) > MAX_ACTS else ""
+    return f"{text}{rest} {_when(acts[0].begin, timeline)}"
 
 
 def _when(time: float, timeline: Timeline) -> str:
@@ -141,7 +141,7 @@ def later_words(found: FoundLater) -> str:
         what = f"takes {abs(later.seconds):.3f} s {word} in B"
     else:
         what = f"comes {abs(later.seconds):.3f} s {'later' if later.seconds > 0.0 else 'earlier'} in B"
-    return f"{printable(str(later.deed))} {what} (line {later.deed.line} of A{_often(found.times)})"
+    return f"{printable(str(later.act))} {what} (line {later.act.line} of A{_often(found.times)})"
 
 
 def _cycle(each: CycleTime) -> str:
@@ -156,8 +156,8 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
     differences = [
         {
             "way": way_words(each.way, names),
-            "a": [str(deed) for deed in each.difference.a],
-            "b": [str(deed) for deed in each.difference.b],
+            "a": [str(act) for act in each.difference.a],
+            "b": [str(act) for act in each.difference.b],
             "text": difference_words(each),
             "ways": each.times,
         }
@@ -166,8 +166,8 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
     later = [
         {
             "way": way_words(each.way, names),
-            "deed": str(each.later.deed),
-            "line": each.later.deed.line,
+            "act": str(each.later.act),
+            "line": each.later.act.line,
             "seconds": each.later.seconds,
             "lasts": each.later.lasts,
             "ways": each.times,
@@ -181,7 +181,7 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
     tables = [
         Table("differences", list(map(Column, ("way", "a", "b", "text", "ways"))), differences),
         Table("cycles", list(map(Column, ("lines", "old", "new"))), cycles),
-        Table("later", list(map(Column, ("way", "deed", "line", "seconds", "lasts", "ways"))), later),
+        Table("later", list(map(Column, ("way", "act", "line", "seconds", "lasts", "ways"))), later),
     ]
     values = {
         "equal": found.same,

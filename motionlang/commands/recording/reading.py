@@ -49,7 +49,7 @@ class RecordedSignal(NamedTuple):
 
 
 class Recording(NamedTuple):
-    """What a recording has: signals by target, the usual `step` between rows in s, and where rows are missing.
+    """The content of a recording: signals by target, the usual `step` between rows in s, and where rows are missing.
 
     `sentence` says what was read, `remarks` what was left out. The rows are `events` if there is one only where
     something changes; their step is then the shortest one.

@@ -12,7 +12,7 @@ ReadObserver = Callable[[str, int], object]
 class ObservedPlace(Protocol):
     """Values that the program reads, such as the digital inputs."""
 
-    # Called before a value is read; None if nobody observes that.
+    # Called before a value is read; None without an observer.
     observer: ReadObserver | None
 
 

@@ -1,6 +1,6 @@
-"""What a program does in a played way, and the differences from what another program does in it.
+"""The acts of a program in a played way, and the differences from those of another program.
 
-A deed is a move, a switched output or a printed line. Each task has its own order. Deeds have no lines in a comparison:
+An act is a move, a switched output or a printed line. Each task has its own order. Acts have no lines in a comparison:
 a moved sub is no difference. A move is the same if it goes to the same count at the same speed in counts, and is cut
 off in the same manner.
 """
@@ -17,7 +17,7 @@ from motionlang.exploration import PlayedTimeline, described, plain, without_fig
 from motionlang.kernel import Run
 from motionlang.kernel.log import CONTINUED
 
-# A deed may come earlier or later by so much, s, and a move may take so much longer.
+# An act may come earlier or later by so much, s, and a move may take so much longer.
 WITHIN, MOTION = 0.025, 1e-3
 # What happens so shortly before the end of a run may come after it in another one, s.
 TAIL = 0.1
@@ -25,14 +25,14 @@ TAIL = 0.1
 SLOWER = 0.02
 # Positions and speeds have so many digits in a comparison.
 DIGITS = 6
-# Deeds are in another order if they are no further apart than so many.
+# Acts are in another order if they are no further apart than so many.
 ORDER = 4
 # The name of the handlers of a program in place of a task.
 HANDLERS = "handler"
 
 
-class Deed(NamedTuple):
-    """A deed: its times, s, its line, 0 if it is unknown, its subject, "" for a printed line, and words.
+class ComparedAct(NamedTuple):
+    """An act: its times, s, its line, 0 if it is unknown, its subject, "" for a printed line, and words.
 
     `exact` says how a move was cut off. Its `target` is in counts, None if it has none; so is its `speed`.
     """
@@ -51,7 +51,7 @@ class Deed(NamedTuple):
 
     @property
     def key(self) -> tuple[object, ...]:
-        """What is the same in two equal deeds, but for where a move is cut off, which a time decides."""
+        """The part that two equal acts share; it leaves out where a move is cut off, which depends on a time."""
         if not self.exact:
             return self.subject, self.words
         return self.subject, self.exact, None if self.is_cut else self.target, self.speed
@@ -73,14 +73,14 @@ class Deed(NamedTuple):
 
 
 class PlayedWay(NamedTuple):
-    """What a program did in a way: the deeds of each task in order, how it ended and when, s.
+    """The play of a way: the acts of each task in order, how the program ended and when, s.
 
     `until` is how long it is known what it does: for ever if it ended, or if nothing could change any more. `status` is
     "waits", "ended", or the code of the error with which it ended. `places` are where the axes rest at the end, by
     number, in counts and user units. `stays` are the times of the rests of the machine.
     """
 
-    deeds: Mapping[str, Sequence[Deed]]
+    acts: Mapping[str, Sequence[ComparedAct]]
     status: str
     time: float
     until: float
@@ -88,17 +88,17 @@ class PlayedWay(NamedTuple):
     stays: Sequence[tuple[float, float]]
 
     @property
-    def ordered(self) -> list[Deed]:
-        """The deeds of all tasks in the order of time."""
-        return sorted((each for some in self.deeds.values() for each in some), key=lambda each: each.begin)
+    def ordered(self) -> list[ComparedAct]:
+        """The acts of all tasks in the order of time."""
+        return sorted((each for some in self.acts.values() for each in some), key=lambda each: each.begin)
 
 
 def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callable[[int], str]) -> PlayedWay:
     """Return what a program did in a played timeline; `line` is that of a source offset, `owner` the task of a line."""
     run, trial = played.run, played.trial
-    deeds: dict[str, list[Deed]] = defaultdict(list)
-    for each in sorted(_deeds(run, line), key=lambda deed: deed.begin):
-        deeds[owner(each.line)].append(each)
+    acts: dict[str, list[ComparedAct]] = defaultdict(list)
+    for each in sorted(_acts(run, line), key=lambda act: act.begin):
+        acts[owner(each.line)].append(each)
     status = "waits" if not trial.has_ended else trial.status
     if status == "fault":
         status = next((each.code for each in run.diagnostics if each.severity == "error"), status)
@@ -109,10 +109,10 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
     }
     until = inf if trial.is_stuck or trial.has_ended else run.time
     stays = [(each.begin, each.end) for each in played.rests]
-    return PlayedWay(dict(deeds), status, run.time, until, places, stays)
+    return PlayedWay(dict(acts), status, run.time, until, places, stays)
 
 
-def _deeds(run: Run, line: Callable[[int], int]) -> Iterator[Deed]:
+def _acts(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
     log = run.machine.log
     homes = run.dialect.table().homes
     for move in log.moves:
@@ -128,14 +128,14 @@ def _deeds(run: Run, line: Callable[[int], int]) -> Iterator[Deed]:
             place = round(move.to_user(profile.end), 3) + 0.0
             words = f"{move.command}, cut off at {place:.6g} ({cut})"
         speed = _rounded(profile.peak_speed)
-        yield Deed(
+        yield ComparedAct(
             move.start_time, end, move.line, f"axis {move.axis}", words, (is_homing, cut), target, speed
         )
     for each in log.outputs:
         level = "on" if each.value else "off"
-        yield Deed(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
+        yield ComparedAct(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
     for text in log.prints:
-        yield Deed(text.time, text.time, _line(text.at, line), "", plain(text.text))
+        yield ComparedAct(text.time, text.time, _line(text.at, line), "", plain(text.text))
 
 
 def _line(at: int, line: Callable[[int], int]) -> int:
@@ -146,24 +146,24 @@ def _rounded(value: float) -> float:
     return float(f"{value:.{DIGITS}g}") if abs(value) > 1e-6 else 0.0
 
 
-Row = tuple[Deed | None, Deed | None]
+Row = tuple[ComparedAct | None, ComparedAct | None]
 
 
-class DeedDifference(NamedTuple):
+class ActDifference(NamedTuple):
     """A difference: what A does and what B does, none for a side that does nothing there; each with its time, s.
 
     `end` are the sentences of two ends, or of places where an axis rests. `is_order` is True if both do the same in
     another order.
     """
 
-    a: Sequence[Deed]
-    b: Sequence[Deed]
+    a: Sequence[ComparedAct]
+    b: Sequence[ComparedAct]
     end: tuple[str, str] | None = None
     is_order: bool = False
 
     @property
     def key(self) -> object:
-        """What is the same for one difference in several ways."""
+        """The part that one difference shares in several ways."""
         if self.end is not None:
             return self.end
         sides = (each[0] if each else None for each in (self.a, self.b))
@@ -179,48 +179,48 @@ class DeedDifference(NamedTuple):
 
 
 class Later(NamedTuple):
-    """A deed that both do, `seconds` later in B; it `lasts` longer, or comes later than what is before it."""
+    """An act that both do, `seconds` later in B; it `lasts` longer, or comes later than what is before it."""
 
-    deed: Deed
-    other: Deed
+    act: ComparedAct
+    other: ComparedAct
     seconds: float
     lasts: bool
 
 
-class ComparedDeeds(NamedTuple):
-    """The differences of two played ways: what is done, what comes later, and the pairs of equal deeds."""
+class ComparedActs(NamedTuple):
+    """The differences of two played ways: what is done, what comes later, and the pairs of equal acts."""
 
-    differences: Sequence[DeedDifference]
+    differences: Sequence[ActDifference]
     later: Sequence[Later]
-    pairs: Sequence[tuple[Deed, Deed]]
+    pairs: Sequence[tuple[ComparedAct, ComparedAct]]
 
 
-def compared(a: PlayedWay, b: PlayedWay) -> ComparedDeeds:
+def compared(a: PlayedWay, b: PlayedWay) -> ComparedActs:
     """Return the differences of what two programs do in a way."""
-    found: list[DeedDifference] = []
+    found: list[ActDifference] = []
     later: list[Later] = []
-    pairs: list[tuple[Deed, Deed]] = []
+    pairs: list[tuple[ComparedAct, ComparedAct]] = []
     # By how much each axis may be elsewhere, in counts, since a move of it was cut off a little earlier or later.
     drift: dict[str, float] = defaultdict(float)
     end = min(a.until, b.until)
-    for task in dict.fromkeys((*a.deeds, *b.deeds)):
-        mine, others = ([each for each in one.deeds.get(task, ()) if each.begin <= end] for one in (a, b))
+    for task in dict.fromkeys((*a.acts, *b.acts)):
+        mine, others = ([each for each in one.acts.get(task, ()) if each.begin <= end] for one in (a, b))
         pairs += _task(mine, others, end, found, later, drift)
     found.sort(key=lambda each: each.begin)
     if not found:
         found += _ends(a, b, {int(axis.split()[1]): far for axis, far in drift.items()})
-    return ComparedDeeds(found, later, pairs)
+    return ComparedActs(found, later, pairs)
 
 
 def _task(
-    mine: Sequence[Deed],
-    others: Sequence[Deed],
+    mine: Sequence[ComparedAct],
+    others: Sequence[ComparedAct],
     end: float,
-    found: list[DeedDifference],
+    found: list[ActDifference],
     later: list[Later],
     drift: dict[str, float],
-) -> list[tuple[Deed, Deed]]:
-    pairs: list[tuple[Deed, Deed]] = []
+) -> list[tuple[ComparedAct, ComparedAct]]:
+    pairs: list[tuple[ComparedAct, ComparedAct]] = []
     hunk: list[Row] = []
     lags = [0.0]
     rows: list[Row] = [
@@ -263,8 +263,8 @@ def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:
     )
 
 
-def _times(pairs: Sequence[tuple[Deed, Deed]], later: list[Later]) -> None:
-    """Add what takes longer, or comes later behind the deed before it."""
+def _times(pairs: Sequence[tuple[ComparedAct, ComparedAct]], later: list[Later]) -> None:
+    """Add what takes longer, or comes later behind the act before it."""
     lag = 0.0
     for one, other in pairs:
         wait = other.begin - one.begin - lag
@@ -276,8 +276,8 @@ def _times(pairs: Sequence[tuple[Deed, Deed]], later: list[Later]) -> None:
         lag = other.end - one.end if other.end > other.begin else other.begin - one.begin
 
 
-def _is_near(one: Deed, other: Deed, drift: dict[str, float]) -> bool:
-    """True if two deeds are the same, but for how far a move of the axis came until it was cut off."""
+def _is_near(one: ComparedAct, other: ComparedAct, drift: dict[str, float]) -> bool:
+    """True if two acts are the same, but for how far a move of the axis came until it was cut off."""
     if one.subject != other.subject or one.exact != other.exact:
         return False
     if not one.exact:
@@ -292,7 +292,7 @@ def _is_near(one: Deed, other: Deed, drift: dict[str, float]) -> bool:
     return is_as_fast and apart <= allowed
 
 
-def _is_time(one: Deed, other: Deed, lags: Sequence[float]) -> bool:
+def _is_time(one: ComparedAct, other: ComparedAct, lags: Sequence[float]) -> bool:
     """True if two printed lines differ by figures alone, and those by the time that B is late, in s or ms."""
     if one.subject or other.subject or one.kind != other.kind:
         return False
@@ -312,24 +312,24 @@ def _is_figure(text: str) -> bool:
     return text.replace(".", "", 1).lstrip("-").isdigit()
 
 
-def _add(found: list[DeedDifference], hunk: Sequence[Row], end: float) -> None:
+def _add(found: list[ActDifference], hunk: Sequence[Row], end: float) -> None:
     """Add a difference, but for what may come after the end of the other run."""
     a = [one for one, _ in hunk if one is not None and (one.begin < end)]
     b = [other for _, other in hunk if other is not None and (other.begin < end)]
     if a or b:
         is_order = len(a) > 1 and sorted(map(str, a)) == sorted(map(str, b))
-        found.append(DeedDifference(a, b, None, is_order))
+        found.append(ActDifference(a, b, None, is_order))
 
 
-def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[DeedDifference]:
+def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[ActDifference]:
     """Yield how two runs end, and where their axes rest then."""
     if a.status != b.status:
-        yield DeedDifference((), (), (_end(a), _end(b)))
+        yield ActDifference((), (), (_end(a), _end(b)))
     elif a.status == "waits":
         for axis in sorted(a.places.keys() & b.places.keys()):
             (counts, place), (other_counts, other) = a.places[axis], b.places[axis]
             if abs(counts - other_counts) > max(1.0, drift.get(axis, 0.0)):
-                yield DeedDifference(
+                yield ActDifference(
                     (), (), (f"axis {axis} rests at {place:.6g}", f"axis {axis} rests at {other:.6g}")
                 )
 
