@@ -25,9 +25,9 @@ from operator import itemgetter
 
 from motionlang.commands.diff.acts import (
     HANDLERS,
+    ActDifference,
     ComparedAct,
     ComparedActs,
-    ActDifference,
     Later,
     PlayedWay,
     compared,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.acts import ComparedAct, ActDifference
+from motionlang.commands.diff.acts import ActDifference, ComparedAct
 from motionlang.commands.diff.ways import CycleTime, FoundDifference, FoundLater, Way, WaysCompared
 from motionlang.commands.map.program_map import names_in_comments
 from motionlang.exploration import Change, Exploration, Timeline
