@@ -11,7 +11,8 @@ from motionlang.exploration.changes import Channel
 from motionlang.kernel import Hook, Machine, Task
 from motionlang.kernel.lang import Snapshot
 
-# A trial ends after so many statements, or if none of so many is the first at its place and none starts a move.
+# A trial ends after so many statements, or if none of so many is the first at its place and none starts a move. A run
+# that is not recorded ends if this holds for the larger number.
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
 # Readings of a statement that are no further apart are one span, s.
 SAME_SPAN = 1.0
@@ -159,11 +160,17 @@ class TrialRecorder(Hook):
         elif self._interrupted < 0:
             self._interrupted = self._at
         self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
-        if not self._is_recorded:
-            self.seen.add(offset)
-            self._news = self.count
-            return False
         assert scheduler is not None
+        if not self._is_recorded:
+            is_new = offset not in self.seen or self._machine.moves_made != self._moves
+            self.seen.add(offset)
+            self._moves = self._machine.moves_made
+            if is_new or self.since < inf:
+                self._news = self.count
+            if self.count - self._news < MAX_STATEMENTS:
+                return False
+            scheduler.until = time
+            return True
         name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
         self.statements[name].append(Begun(time, offset, self._callers_of(task)))
         self._remember(task, time)
