@@ -57,19 +57,6 @@ DRIVEN = {
 }
 
 
-class AskedReader(Protocol):
-    """A task that reads, as far as asking needs it."""
-
-    done: bool
-
-    @property
-    def stack(self) -> tuple[int, ...]:
-        """The source offset of the statement after those of its callers."""
-
-    def condition(self) -> Callable[[], object] | None:
-        """Return the condition that its present statement tests, None if that is not known."""
-
-
 class AskingTasks(Protocol):
     """The tasks of the program: the scheduler."""
 
