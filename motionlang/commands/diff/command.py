@@ -32,6 +32,9 @@ from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
 from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
+from motionlang.commands.diff.way_scenarios import write_scenarios
+from motionlang.commands.diff.ways import Player, compared_ways
+from motionlang.commands.diff.ways_view import MAX_LATER, input_names, ways_document, ways_text
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
@@ -167,16 +170,16 @@ examples:
         other = self.b
         if other is None and self._has_own_b():
             other = self.a
+        if self.write_scenarios is not None and not self.explore:
+            raise WrongOption("--write-scenarios needs --explore")
+        if self.explore:
+            return self._in_all_ways(other)
         if other is not None and is_recording(other):
             return self._recorded(other, tolerance)
         if is_recording(self.a):
             raise WrongOption("a recording as A needs another one as B; a program comes before its recording")
         if self.map or self.delay is not None:
             raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
-        if self.write_scenarios is not None and not self.explore:
-            raise WrongOption("--write-scenarios needs --explore")
-        if self.explore:
-            return self._in_all_ways(other)
         if self.scenarios:
             return self._in_scenarios(other, tolerance)
         if other is None and self.a.lower().endswith(".json"):
@@ -236,12 +239,11 @@ examples:
 
     def _in_all_ways(self, other: str | None) -> int:
         """Compare two programs in all ways that an exploration of either finds, and return the exit status."""
-        from motionlang.commands.diff.ways import Player, compared_ways
-        from motionlang.commands.diff.ways_view import MAX_LATER, input_names, ways_document, ways_text
-
-        if other is None or any(each.lower().endswith(".json") for each in (self.a, other)):
+        if other is None or any(
+            is_recording(each) or each.lower().endswith(".json") for each in (self.a, other)
+        ):
             raise WrongOption("--explore needs two programs")
-        for name in ("scenarios", "keep", "plot", "tolerance", "until"):
+        for name in ("scenarios", "keep", "plot", "tolerance", "until", "map", "delay"):
             if getattr(self, name):
                 raise WrongOption(f"--{name} and --explore exclude each other")
         a = self._explored("a", self.a, {})
@@ -265,8 +267,6 @@ examples:
 
     def _write(self, found: WaysCompared, names: Mapping[int, str], folder: str) -> int:
         """Write the scenarios of the differences, and return the exit status."""
-        from motionlang.commands.diff.way_scenarios import write_scenarios
-
         try:
             paths, left = write_scenarios(found, names, folder)
         except OSError as error:
