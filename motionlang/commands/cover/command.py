@@ -23,13 +23,13 @@ from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.cover.worlds import Event, Worlds
+from motionlang.commands.explore.playing import playing
 from motionlang.commands.scenarios import FOLDER_SUFFIX
-from motionlang.exploration import Interrupted, explore, without_world
+from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
 from motionlang.kernel.files import create, replacing
 from motionlang.kernel.tools import count_of
 from motionlang.processes.parallel import in_parallel
-from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 
 # The time limit of a suggested world, s.
@@ -117,39 +117,35 @@ examples:
         if language is None:
             raise Refused([no_dialect(file)], file=file, status=2)
         source, limit = read(file), UNTIL if self.until is None else self.until
-        progress, ended = Progress(sys.stderr, os.path.basename(file)), False
+        ended = False
         ends = None if self.seconds is None else monotonic() + self.seconds
         written: dict[str, str] = {}
         try:
-            all_own = worlds_of(file)
-            own = all_own[""]
-            program = language.program(source, own, is_debug=True)
-            if program.errors:
-                raise ProgramError(program.errors)
-            runs = Worlds(program, language)
-            before: Counter[Event] = Counter()
-            for settings in all_own.values():
-                before += runs.run(settings, limit).events
-            exploration = explore(
-                program,
-                without_world(own),
-                is_over=lambda: ends is not None and monotonic() > ends,
-                progress=progress,
-            )
-            search = Search(runs, exploration, own, before, limit)
-            was = search.coverage
-            try:
-                for world in search.run():
-                    written |= self._write_scenario(file, world)
-            except (KeyboardInterrupt, Terminated):
-                ended = True
+            with playing(file) as progress:
+                all_own = worlds_of(file)
+                own = all_own[""]
+                program = language.program(source, own, is_debug=True)
+                if program.errors:
+                    raise ProgramError(program.errors)
+                runs = Worlds(program, language)
+                before: Counter[Event] = Counter()
+                for settings in all_own.values():
+                    before += runs.run(settings, limit).events
+                exploration = explore(
+                    program,
+                    without_world(own),
+                    is_over=lambda: ends is not None and monotonic() > ends,
+                    progress=progress,
+                )
+                search = Search(runs, exploration, own, before, limit)
+                was = search.coverage
+                try:
+                    for world in search.run():
+                        written |= self._write_scenario(file, world)
+                except (KeyboardInterrupt, Terminated):
+                    ended = True
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=file) from None
-        except Interrupted as interrupted:
-            SIGNALS.end_with(interrupted.result)
-            raise
-        finally:
-            progress.done()
         rows = [replace(each, file=file) for each in (was, search.coverage)]
         shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
         text = f"{file}: {shares} with {count_of(len(written), 'scenario')}\n"

@@ -35,18 +35,18 @@ from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, 
 from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, compared_ways
 from motionlang.commands.diff.ways_view import MAX_LATER, input_names, ways_document, ways_text
+from motionlang.commands.explore.playing import playing
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
-from motionlang.exploration import Exploration, Interrupted, explore, without_world
+from motionlang.exploration import Exploration, explore, without_world
 from motionlang.kernel import Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import build
 from motionlang.kernel.tools import count_of
-from motionlang.views.progress import Progress
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour
 
@@ -248,14 +248,8 @@ examples:
                 raise WrongOption(f"--{name} and --explore exclude each other")
         a = self._explored("a", self.a, {})
         b = self._explored("b", other, a.switches.settings)
-        progress = Progress(sys.stderr, "ways")
-        try:
+        with playing("ways") as progress:
             found = compared_ways(Player(a), Player(b), progress=progress)
-        except Interrupted as interrupted:
-            SIGNALS.end_with(interrupted.result)
-            raise
-        finally:
-            progress.done()
         names = input_names(a)
         self.show(
             ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_LATER)
@@ -281,19 +275,14 @@ examples:
         given = GivenProgram.of(self, side, path)
         source = given.source()
         settings = {**switches, **without_world(given.settings())}
-        progress = Progress(sys.stderr, os.path.basename(source.name))
         try:
-            program = given.known_language().program(source, settings, is_debug=True)
-            program = program.with_values(given.overrides())
-            program.require()
-            return explore(program, settings, progress=progress)
+            with playing(source.name) as progress:
+                program = given.known_language().program(source, settings, is_debug=True)
+                program = program.with_values(given.overrides())
+                program.require()
+                return explore(program, settings, progress=progress)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=path) from None
-        except Interrupted as interrupted:
-            SIGNALS.end_with(interrupted.result)
-            raise
-        finally:
-            progress.done()
 
     def _has_own_b(self) -> bool:
         own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import Refused, argument
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.signals import SIGNALS
-from motionlang.exploration import Exploration, Interrupted, causes_of, explore, lines_of, without_world
+from motionlang.commands.explore.playing import playing
+from motionlang.exploration import Exploration, causes_of, explore, lines_of, without_world
 from motionlang.kernel import ProgramError
-from motionlang.views.progress import Progress
 from motionlang.views.table import Column, Document, Table
 
 
@@ -39,18 +37,13 @@ examples:
     def run(self) -> int:
         source, settings = self.source(), without_world(self.settings())
         program = self.known_language().program(source, settings, is_debug=True)
-        progress = Progress(sys.stderr, os.path.basename(source.name))
         try:
-            program = program.with_values(self.overrides())
-            program.require()
-            found = explore(program, settings, progress=progress, keeps=True)
+            with playing(source.name) as progress:
+                program = program.with_values(self.overrides())
+                program.require()
+                found = explore(program, settings, progress=progress, keeps=True)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=self.file) from None
-        except Interrupted as interrupted:
-            SIGNALS.end_with(interrupted.result)
-            raise
-        finally:
-            progress.done()
         self.show(_document(found), str(found))
         if found.interrupted is not None:
             SIGNALS.end_with(found.interrupted)

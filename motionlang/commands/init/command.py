@@ -16,14 +16,14 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritte
 from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
-from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import mapped, recorded
+from motionlang.commands.explore.playing import playing
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
 from motionlang.commands.init.summary import is_wrong, motionless, notes
 from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenarios import FOLDER_SUFFIX
-from motionlang.exploration import Entry, Exploration, Interrupted, explore
+from motionlang.exploration import Entry, Exploration, explore
 from motionlang.kernel import (
     MACHINE_SUFFIX,
     STDIN,
@@ -39,7 +39,6 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.files import create, replacing
 from motionlang.kernel.tools import count_of, nearest, need
-from motionlang.views.progress import Progress
 
 if TYPE_CHECKING:  # which need numpy
     from motionlang.commands.init.recorded.drafting import Measured
@@ -264,16 +263,10 @@ examples:
     def _drafted(self, program: Program, given: dict[str, object]) -> Draft:
         """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""
         ends = None if self.seconds is None else monotonic() + self.seconds
-        progress = Progress(sys.stderr, os.path.basename(program.source.name))
-        try:
+        with playing(program.source.name) as progress:
             exploration = explore(
                 program, given, is_over=lambda: ends is not None and monotonic() > ends, progress=progress
             )
-        except Interrupted as interrupted:
-            SIGNALS.end_with(interrupted.result)
-            raise
-        finally:
-            progress.done()
         found = exploration.cycles
         number = _asked_cycle(exploration) if self.cycle is None else self.cycle
         if number is not None and number > len(found):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -12,14 +11,13 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.parser import either
 from motionlang.cli.signals import SIGNALS
+from motionlang.commands.explore.playing import playing
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
 from motionlang.commands.map.view.text import render, unit_text
-from motionlang.exploration import Interrupted
 from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest
-from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 
 
@@ -87,8 +85,7 @@ examples:
         return 0
 
     def _played(self, source: Source) -> ProgramMap:
-        progress = Progress(sys.stderr, os.path.basename(source.name))
-        try:
+        with playing(source.name) as progress:
             return map_of_machine(
                 source,
                 self.known_language(),
@@ -97,11 +94,6 @@ examples:
                 progress=progress,
                 keeps=True,
             )
-        except Interrupted as interrupted:
-            SIGNALS.end_with(interrupted.result)
-            raise
-        finally:
-            progress.done()
 
 
 def _unit(made: ProgramMap, name: str) -> Unit:
