@@ -423,27 +423,29 @@ class _Orders:
         return found
 
 
-def _is_as_good(
-    wanted: Mapping[str, list[tuple[object, ...]]], found: Mapping[str, list[tuple[object, ...]]]
-) -> bool:
+Acts = Mapping[str, list[tuple[object, ...]]]
+
+
+def _is_as_good(wanted: Acts, found: Acts) -> bool:
     """True if each task does what is wanted in its order, or moves so and says less of what is wrong."""
     if _same(wanted, found):
         return True
-    said = [
-        [each[1] for task in acts.values() for each in task if each[0] == "print"] for acts in (found, wanted)
-    ]
-    moves, others = (
-        {task: [each for each in all if each[0] == "move"] for task, all in acts.items()}
-        for acts in (wanted, found)
-    )
-    return (
-        wrong(map(str, said[0])) < wrong(map(str, said[1])) and any(moves.values()) and _same(moves, others)
-    )
+    moves = _of(wanted, "move")
+    is_better = wrong(_said(found)) < wrong(_said(wanted))
+    return is_better and any(moves.values()) and _same(moves, _of(found, "move"))
 
 
-def _same(
-    wanted: Mapping[str, list[tuple[object, ...]]], found: Mapping[str, list[tuple[object, ...]]]
-) -> bool:
+def _of(acts: Acts, kind: str) -> Acts:
+    """Return the acts of one kind of each task."""
+    return {task: [each for each in own if each[0] == kind] for task, own in acts.items()}
+
+
+def _said(acts: Acts) -> list[str]:
+    """Return the printed lines of all tasks."""
+    return [str(each[1]) for own in _of(acts, "print").values() for each in own]
+
+
+def _same(wanted: Acts, found: Acts) -> bool:
     """True if each task does what is wanted in its order.
 
     One that moves an axis does all of it, and so does each one if none moves an axis.
