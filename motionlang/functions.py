@@ -207,8 +207,8 @@ def diff(old: Side, new: Side, *tolerances: str, explore: bool = False) -> Diffe
     Moves, prints and events are aligned by content, so an inserted line is not a difference. `tolerances` are texts
     such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. With
     `explore` two programs are compared in all ways that an exploration of either finds: the result has `same`,
-    `differences`, `later` for what only comes at another time, `cycles`, and `left`, the ways that were not compared;
-    `str` shows all of it. Raises ValueError for a wrong tolerance or a report of an unknown version, ProgramError for a
+    `differences`, `later` for what only comes at another time, `cycles`, and `left`, the ways that were not compared.
+    Raises ValueError for a wrong tolerance or a report of an unknown version, ProgramError for a
     program with errors, and the errors of `run`.
     """
     if explore:

@@ -10,7 +10,7 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
@@ -33,7 +33,7 @@ from motionlang.commands.diff.reports import checked, difference
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
 from motionlang.commands.diff.way_scenarios import write_scenarios
-from motionlang.commands.diff.ways import Player, compared_ways
+from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_view import MAX_LATER, input_names, ways_document, ways_text
 from motionlang.commands.explore.playing import playing
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
@@ -49,9 +49,6 @@ from motionlang.kernel.report import build
 from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import wants_colour
-
-if TYPE_CHECKING:
-    from motionlang.commands.diff.ways import WaysCompared
 
 SCHEMA = "motionlang.diff/2"
 # With --all the rows of a table are as many as there are.

@@ -107,11 +107,6 @@ class WaysCompared:
     unreached: dict[str, list[int]] = field(default_factory=dict)
     left: list[Way] = field(default_factory=list)
 
-    def __str__(self) -> str:
-        from motionlang.commands.diff.ways_view import input_names, ways_text
-
-        return ways_text(self, input_names(self.a))
-
     @property
     def same(self) -> bool:
         """True if nothing differs in all ways that were found, and all of them were played."""
