@@ -34,7 +34,7 @@ from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
 from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
-from motionlang.commands.diff.ways_view import MAX_LATER, input_names, ways_document, ways_text
+from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
 from motionlang.commands.explore.playing import playing
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
@@ -249,7 +249,7 @@ examples:
             found = compared_ways(Player(a), Player(b), progress=progress)
         names = input_names(a)
         self.show(
-            ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_LATER)
+            ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_ROWS)
         )
         status = 0 if found.same else 1
         if self.write_scenarios is not None:

@@ -89,6 +89,9 @@ class CycleTime:
 class WaysCompared:
     """The result: how many ways were played, and what differs in them.
 
+    `differences` are those that are the first one of some way; `behind` are those that only follow another one in each
+    way that shows them, and may be a consequence of it.
+
     `same`, `differ`, `later` and `only` count the ways: those in which B only does the same at another time, and those
     that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
     `left` the ways that were not compared, and `is_whole` has the programs whose exploration is complete.
@@ -102,6 +105,7 @@ class WaysCompared:
     timed: int = 0
     only: dict[str, int] = field(default_factory=lambda: {"A": 0, "B": 0})
     differences: list[FoundDifference] = field(default_factory=list)
+    behind: list[FoundDifference] = field(default_factory=list)
     later: list[FoundLater] = field(default_factory=list)
     cycles: list[CycleTime] = field(default_factory=list)
     unreached: dict[str, list[int]] = field(default_factory=dict)
@@ -204,8 +208,11 @@ def compared_ways(
             found.left = ways[k:]
             break
         comparison.take(way)
+    first = {each.difference.key for each in found.differences}
+    found.behind = [each for each in found.behind if each.difference.key not in first]
     order = {id(way): k for k, way in enumerate(sorted(ways, key=_length))}
-    found.differences.sort(key=lambda each: order[id(each.way)])
+    for some in (found.differences, found.behind):
+        some.sort(key=lambda each: order[id(each.way)])
     found.later.sort(key=lambda each: order[id(each.way)])
     found.unreached = {"A": _unreached(a), "B": _unreached(b)}
     return found
@@ -284,7 +291,8 @@ class _Comparison:
 
     def __init__(self, found: WaysCompared, a: Player, b: Player) -> None:
         self.found, self.a, self.b = found, a, b
-        self._differences: dict[object, FoundDifference] = {}
+        self._first: dict[object, FoundDifference] = {}
+        self._behind: dict[object, FoundDifference] = {}
         self._later: dict[object, FoundLater] = {}
         self._cycles: set[frozenset[int]] = set()
 
@@ -306,15 +314,19 @@ class _Comparison:
             found.timed += 1
         else:
             found.equal += 1
-        for each in result.differences[:1]:
-            known = self._differences.get(each.key)
-            if known is None:
-                known = self._differences[each.key] = FoundDifference(way, timeline, each, a, b)
-                found.differences.append(known)
-            else:
-                known.times += 1
-                if _length(way) < _length(known.way):
-                    known.way, known.in_b, known.difference, known.a, known.b = way, timeline, each, a, b
+        # What repeats in a way is one difference.
+        shown: dict[object, ActDifference] = {}
+        for each in result.differences:
+            shown.setdefault(each.key, each)
+        for k, each in enumerate(shown.values()):
+            known, listed = (self._behind, found.behind) if k else (self._first, found.differences)
+            one = known.get(each.key)
+            if one is None:
+                one = known[each.key] = FoundDifference(way, timeline, each, a, b, 0)
+                listed.append(one)
+            one.times += 1
+            if _length(way) < _length(one.way):
+                one.way, one.in_b, one.difference, one.a, one.b = way, timeline, each, a, b
         laters: dict[object, Later] = {}
         for later in () if result.differences else result.later:
             laters.setdefault((later.act.line, later.act.subject, later.lasts), later)

@@ -14,8 +14,8 @@ from motionlang.kernel.tools import count_of, ranges
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable
 
-# So many steps of a way, acts of a difference, and rows that differ in time alone are shown.
-MAX_STEPS, MAX_ACTS, MAX_LATER = 8, 3, 10
+# So many steps of a way, acts of a difference, and rows of what may only be a consequence are shown.
+MAX_STEPS, MAX_ACTS, MAX_ROWS = 8, 3, 10
 
 # The names of inputs in the comments of a program, by number.
 Names = Mapping[int, str]
@@ -31,21 +31,27 @@ def input_names(one: Exploration) -> dict[int, str]:
     }
 
 
-def ways_text(found: WaysCompared, names: Names, most: int = MAX_LATER) -> str:
+def ways_text(found: WaysCompared, names: Names, most: int = MAX_ROWS) -> str:
     """Return what two programs do differently: a sentence, then each difference, then what differs in time."""
     lines = [summary(found)]
     left = not_compared(found)
     if left:
         lines.append(f"not compared: {left}")
-    for each in found.differences:
-        lines.append(f"{way_words(each.way, names)}: {difference_words(each)}")
+    lines += [f"{way_words(each.way, names)}: {difference_words(each)}" for each in found.differences]
+    if found.behind:
+        lines.append("only behind another difference, and possibly its consequence:")
+        lines += [f"  {way_words(each.way, names)}: {difference_words(each)}" for each in found.behind[:most]]
+        lines += _more(found.behind, most)
     if found.cycles or found.later:
         lines.append("only the time differs:")
         lines += [f"  {_cycle(each)}" for each in found.cycles]
         lines += [f"  {way_words(each.way, names)}: {later_words(each)}" for each in found.later[:most]]
-        if len(found.later) > most:
-            lines.append(f"  and {len(found.later) - most} more; --all lists them")
+        lines += _more(found.later, most)
     return "\n".join(lines) + "\n"
+
+
+def _more(some: Sequence[object], most: int) -> list[str]:
+    return [f"  and {len(some) - most} more; --all lists them"] if len(some) > most else []
 
 
 def summary(found: WaysCompared) -> str:
@@ -160,8 +166,9 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
             "b": [str(act) for act in each.difference.b],
             "text": difference_words(each),
             "ways": each.times,
+            "behind": k >= len(found.differences),
         }
-        for each in found.differences
+        for k, each in enumerate([*found.differences, *found.behind])
     ]
     later = [
         {
@@ -179,7 +186,7 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
         for each in found.cycles
     ]
     tables = [
-        Table("differences", list(map(Column, ("way", "a", "b", "text", "ways"))), differences),
+        Table("differences", list(map(Column, ("way", "a", "b", "text", "ways", "behind"))), differences),
         Table("cycles", list(map(Column, ("lines", "old", "new"))), cycles),
         Table("later", list(map(Column, ("way", "act", "line", "seconds", "lasts", "ways"))), later),
     ]

@@ -20,6 +20,10 @@ CHANGES = {
     "another order of two outputs": [("OUTX.1 = 1\nOUTX.3 = 1", "OUTX.3 = 1\nOUTX.1 = 1")],
     "a handler that no longer stops": [("STOP.0\n", "")],
     "a menu key that does something else": [('? "BAD ",bad : GOTO MENU', "GOTO WORK")],
+    "another place, and the wrong output behind it": [
+        ("MOVEA.0 = 40", "MOVEA.0 = 41"),
+        ("OUT.0 = 0\nPAUSE", "OUT.0 = 1\nPAUSE"),
+    ],
     "a longer dwell": [("WAIT = 100", "WAIT = 350")],
     "a slower move": [("SPEED.0 = 200", "SPEED.0 = 150")],
     "a renamed variable": [("bad", "rejects"), ('"BAD', '"BAD')],
