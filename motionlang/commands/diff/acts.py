@@ -88,6 +88,11 @@ class PlayedWay(NamedTuple):
     stays: Sequence[tuple[float, float]]
 
     @property
+    def is_at_rest(self) -> bool:
+        """True if the machine rests at the end."""
+        return self.until == inf or bool(self.stays and self.stays[-1][1] >= self.time)
+
+    @property
     def ordered(self) -> list[ComparedAct]:
         """The acts of all tasks in the order of time."""
         return sorted((each for some in self.acts.values() for each in some), key=lambda each: each.begin)
@@ -325,7 +330,7 @@ def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[Ac
     """Yield how two runs end, and where their axes rest then."""
     if a.status != b.status:
         yield ActDifference((), (), (_end(a), _end(b)))
-    elif a.status == "waits":
+    elif a.status == "waits" and a.is_at_rest and b.is_at_rest:
         for axis in sorted(a.places.keys() & b.places.keys()):
             (counts, place), (other_counts, other) = a.places[axis], b.places[axis]
             if abs(counts - other_counts) > max(1.0, drift.get(axis, 0.0)):

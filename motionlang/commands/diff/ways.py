@@ -3,8 +3,8 @@
 Problem. One run shows one way. A time-out, a reject or another key of a menu is in none.
 
 Idea. Both programs are explored. A way is a timeline of changes that leads to a transition of either, a variant of it,
-or a cycle some times, until what the program counts to is full. Each way is played in both, and what they do is
-compared (`acts.py`).
+what was tried and led nowhere, or a cycle some times, until what the program counts to is full. Each way is played in
+both, and what they do is compared (`acts.py`).
 
 If B does something later, a change that A has answered would come too early. So where anything differs, the way is
 played in B again with each change as long after B rests as it came after A rested. If no act differs then, the two
@@ -33,7 +33,7 @@ from motionlang.commands.diff.acts import (
     compared,
     played_way,
 )
-from motionlang.exploration import TEXTS, Exploration, MachineCycle, Timeline, Trial, Visit, explored
+from motionlang.exploration import Exploration, MachineCycle, Timeline, Trial, Visit, explored
 from motionlang.kernel import Source
 from motionlang.kernel.lang import Structure
 
@@ -126,16 +126,15 @@ class Player:
         self._owners = exploration.program.structure.owners()
 
     def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
-        """Yield the timelines that lead to the transitions, and to their variants, and those of the cycles."""
+        """Yield the timelines of what leads on, or was tried, from each state, and those of the cycles."""
         yield (), None
         for node in self.exploration.nodes:
             for each in node.transitions:
                 for causes in (each.causes, *each.variants):
                     yield (each.visit.changed(causes) if causes else each.visit.timeline), None
-            # A key or an answer may lead back to where it was taken, and is no transition then.
+            # What leads nowhere, back to where it was taken, or to work without a rest.
             for causes in node.tried:
-                if len(causes) == 1 and causes[0].table in TEXTS:
-                    yield node.first.changed(causes), None
+                yield node.first.changed(causes), None
         begun = self.exploration.work
         for cycle in [each for each in self.exploration.cycles if each.work][:CYCLES]:
             yield until_full(self.exploration, cycle), cycle
@@ -208,8 +207,8 @@ def compared_ways(
             found.left = ways[k:]
             break
         comparison.take(way)
-    first = {each.difference.key for each in found.differences}
-    found.behind = [each for each in found.behind if each.difference.key not in first]
+    known = {each.difference.key for each in found.differences}
+    found.behind = [each for each in found.behind if each.difference.key not in known]
     order = {id(way): k for k, way in enumerate(sorted(ways, key=_length))}
     for some in (found.differences, found.behind):
         some.sort(key=lambda each: order[id(each.way)])

@@ -22,7 +22,8 @@ A dwell in ticks of a timer hides what one edit gains. So all numbers that could
 together, and each is made as small as the gain allows.
 
 Cost: about 25 runs of `CYCLES` cycles for each literal, and one for each set of edits. The edits that are left are run
-in full, in the own world and in each scenario; one that fails there is taken out.
+in full, in the own world and in each scenario; one that fails there is taken out. At last they are played in all ways
+that an exploration of the program finds (`ways.py`).
 """
 
 from __future__ import annotations
@@ -41,6 +42,7 @@ from motionlang.commands.improve.behaviour import SAME, Behaviour
 from motionlang.commands.improve.pieces import PieceTimes
 from motionlang.commands.improve.process import AS_SAID, QUANTITIES, SPEED, MoveChange, Process
 from motionlang.commands.improve.tasks import Tasks
+from motionlang.commands.improve.ways import PlayedWays, played_ways
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.quantities import cycle_of, cycle_times, no_cycle_notes
@@ -119,7 +121,8 @@ class Improvement:
 
     `held` are the numbers of the process, which stay. `skipped` are the remarks about what could not be changed,
     `waits` those about waits that could go and about motions that stop elsewhere, `refused` has why each other literal
-    stays. `edits` is empty if nothing can be gained; `sets` then says what sets the cycle. `trials` is the number of
+    stays. `ways` has what the edits do in all ways that the machine can go, None without edits. `edits` is empty if
+    nothing can be gained; `sets` then says what sets the cycle. `trials` is the number of
     runs.
     """
 
@@ -136,6 +139,7 @@ class Improvement:
     skipped: list[str] = field(default_factory=list)
     waits: list[str] = field(default_factory=list)
     refused: list[str] = field(default_factory=list)
+    ways: PlayedWays | None = None
     sets: str = ""
     trials: int = 0
 
@@ -280,9 +284,10 @@ class Improver:
         made = {each.literal.address for each in edits}
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
+        ways = played_ways(self.source, patched, self.language, self.world.settings) if chosen else None
         return Improvement(
             self.source, patched, self._title, self._where, self.before, after, chosen, result, limits, self.held,
-            self.skipped, notes, refused, sets, self._runs,
+            self.skipped, notes, refused, ways, sets, self._runs,
         )  # fmt: skip
 
     def _all(self) -> list[Edit]:

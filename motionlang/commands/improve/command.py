@@ -13,13 +13,13 @@ from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
-from motionlang.commands.improve import ExpectedWorld, Improver, NotPossible
+from motionlang.commands.improve import Edit, ExpectedWorld, Improver, NotPossible
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.quantities import CYCLE, CYCLES
 from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.kernel import STDIN, Diagnostic, ProgramError
 from motionlang.kernel.files import replacing
-from motionlang.kernel.tools import need
+from motionlang.kernel.tools import count_of, need
 from motionlang.views.progress import Progress
 from motionlang.views.terminal import table_width, wants_colour
 
@@ -138,6 +138,8 @@ examples:
             found, self.file, width=table_width(sys.stdout), colour=wants_colour(sys.stdout)
         )
         self.show(improvement_document(found, self.file), "\n".join(lines) + "\n")
+        if found.ways is not None and found.ways.refused:
+            raise Refused([_refused_in_ways(found.ways.refused, found.edits[0])], file=self.file)
         wanted = found.before * (1.0 - (self.by or 0.0))
         if self.by is not None and found.after > wanted * (1.0 + 1e-9):
             sys.stderr.write(
@@ -149,6 +151,13 @@ examples:
             return 0 if found.edits else 1
         text = "".join(difference(found, self.file))
         return written(path, lambda: _write(path, _as_in(self.file, text)))
+
+
+def _refused_in_ways(ways: list[str], edit: Edit) -> Diagnostic:
+    """Return the error that the edits, B, change an end or a printed line in some ways."""
+    more = f", and {count_of(len(ways) - 1, 'other way')}" if len(ways) > 1 else ""
+    hint = f"--hold {edit.literal.address} keeps that number; --edits and --by make fewer edits"
+    return Diagnostic("beyond-limit", f"the edits change what the program does: {ways[0]}{more}", hint=hint)
 
 
 def _as_in(program: str, text: str) -> bytes:

@@ -11,10 +11,19 @@ from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import styled
 
+# So many ways in which a program does something else with the edits are shown.
+MAX_ELSEWHERE = 3
+
 
 def improvement_document(found: Improvement, file: str) -> Document:
     """Return an improvement as data; `diff` is that of the program."""
-    texts = (*found.skipped, *found.refused, *([found.sets] if found.sets else []), *found.waits)
+    texts = (
+        *found.skipped,
+        *found.refused,
+        *([found.sets] if found.sets else []),
+        *found.waits,
+        *_ways(found),
+    )
     held = Table("held", tuple(map(Column, ("literal", "line", "value", "reason"))), [*_held_rows(found)])
     remarks = Table("remarks", (Column("text"),), [{"text": each} for each in texts])
     values = {
@@ -23,7 +32,8 @@ def improvement_document(found: Improvement, file: str) -> Document:
         "before": found.before,
         "after": found.after,
         "trials": found.trials,
-        "diff": "".join(difference(found, file)),
+        "ways": found.ways.summary if found.ways is not None else "",
+        "diff": "" if _is_refused(found) else "".join(difference(found, file)),
     }
     return Document([edits_table(found), held, limits_table(found.limits), remarks], values)
 
@@ -66,12 +76,28 @@ def improvement_lines(found: Improvement, file: str, *, width: int, colour: bool
     lines += _held_lines(found, colour)
     note = styled("note:", "note", colour)
     sets = [found.sets] if found.sets else []
-    remarks = [f"{note} {each}" for each in (*found.skipped, *found.refused, *sets, *found.waits)]
+    texts = (*found.skipped, *found.refused, *sets, *found.waits, *_ways(found))
+    remarks = [f"{note} {each}" for each in texts]
     lines += ["", *remarks] if remarks else []
     if found.edits:
         lines += ["", *limits_table(found.limits).lines(width, colour=colour)]
+    if found.edits and not _is_refused(found):
         lines += ["", *(line.rstrip("\n") for line in difference(found, file))]
     return lines
+
+
+def _is_refused(found: Improvement) -> bool:
+    return found.ways is not None and bool(found.ways.refused)
+
+
+def _ways(found: Improvement) -> Iterator[str]:
+    """Yield what the edits do in all ways that were found, but for what refuses them."""
+    if found.ways is not None:
+        yield found.ways.summary
+        shown = found.ways.elsewhere[:MAX_ELSEWHERE]
+        yield from (f"B, with the edits, does something else: {each}" for each in shown)
+        if len(found.ways.elsewhere) > len(shown):
+            yield f"and so in {count_of(len(found.ways.elsewhere) - len(shown), 'other way')}"
 
 
 def _held_rows(found: Improvement) -> Iterator[dict[str, object]]:

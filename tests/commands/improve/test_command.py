@@ -81,6 +81,8 @@ ACCEL[0]@1     1   500  1000  0.1695  acceleration of axis 0: 1000 uu/s²
 DECEL[0]@1     1   500  1000  0.1954  acceleration of axis 0: 1000 uu/s²
 22 trials
 
+note: 1 way played with the edits, too: the same but for time
+
 axis  limit                allowed  reached        at  line  margin
                                                     s
 ──────────────────────────────────────────────────────────────────────

@@ -1,0 +1,90 @@
+"""The final edits in all ways that the machine can go: a time-out, a reject, another key of a menu.
+
+A trial shows one way in each world. So the program is explored, and each of its ways is played with the edits, too.
+What the edits are for does not count: speeds, times, figures in prints, and where a motion is cut off. If the program
+ends otherwise in a way, or prints another line, the edits are refused; if it only does something else, such as behind a
+fixed second that comes earlier in a move than before, the way is named.
+
+Cost. At most `EXPLORED` statements for the exploration, and `PLAYED` for the ways. What is not played is named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+from motionlang.commands.diff.acts import ComparedAct, PlayedWay
+from motionlang.commands.diff.ways import FoundDifference, Player, compared_ways
+from motionlang.commands.diff.ways_view import difference_words, input_names, not_compared, way_words
+from motionlang.exploration import Exploration, Timeline, explore, without_figures, without_world
+from motionlang.kernel import Dialect, Source
+from motionlang.kernel.tools import count_of
+
+# The statements that the exploration of the program may begin, and those of both programs in the ways.
+EXPLORED, PLAYED = 200_000, 400_000
+
+
+class PlayedWays(NamedTuple):
+    """What a program does otherwise with edits: a sentence of all ways, and those that refuse the edits, and others."""
+
+    summary: str
+    refused: list[str]
+    elsewhere: list[str]
+
+
+class _WithoutTimes(Player):
+    """A program whose speeds, figures in prints, and places where a motion is cut off do not count."""
+
+    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedWay:
+        played = super().play(timeline, since)
+        acts = {task: [*map(_without_times, some)] for task, some in played.acts.items()}
+        return played._replace(acts=acts)
+
+
+def _without_times(act: ComparedAct) -> ComparedAct:
+    if act.exact:
+        return act._replace(speed=0.0, target=None if act.is_cut else act.target)
+    return act if act.subject else act._replace(words=without_figures(act.words))
+
+
+def played_ways(
+    source: Source,
+    patched: Source,
+    language: Dialect,
+    settings: Mapping[str, object],
+    progress: Callable[[float], object] = lambda share: None,
+) -> PlayedWays:
+    """Return what a program does with edits in the ways that an exploration of it finds."""
+    a = _explored(source, language, without_world(settings), EXPLORED, lambda share: progress(0.5 * share))
+    b = _explored(patched, language, {**a.switches.settings, **without_world(settings)}, 1)
+    found = compared_ways(
+        _WithoutTimes(a), _WithoutTimes(b), PLAYED, progress=lambda share: progress(0.5 + 0.5 * share)
+    )
+    names = input_names(a)
+    texts: dict[bool, list[str]] = {True: [], False: []}
+    for each in (*found.differences, *found.behind):
+        texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {difference_words(each)}")
+    differ = f", {found.differ} differ" if found.differ else ": the same but for time"
+    found.b = a  # which ways the program has with the edits is not asked
+    left = not_compared(found)
+    summary = f"{count_of(found.played, 'way')} played with the edits, too{differ}"
+    return PlayedWays(f"{summary}; not compared: {left}" if left else summary, texts[True], texts[False])
+
+
+def _explored(
+    source: Source,
+    language: Dialect,
+    settings: Mapping[str, object],
+    work: int,
+    progress: Callable[[float], object] = lambda share: None,
+) -> Exploration:
+    program = language.program(source, settings, is_debug=True)
+    return explore(program, settings, work=work, progress=progress)
+
+
+def _is_grave(found: FoundDifference) -> bool:
+    """True if a program ends otherwise, or prints another line."""
+    difference = found.difference
+    if difference.end is not None:
+        return found.a.status != found.b.status
+    return not difference.is_order and any(not act.subject for act in (*difference.a, *difference.b))

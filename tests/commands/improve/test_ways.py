@@ -1,0 +1,67 @@
+"""The final edits in all ways: a time-out that they change refuses them, and what only goes elsewhere is named."""
+
+from __future__ import annotations
+
+from tests.cli.programs import Cell
+
+# The clamp must say closed within 1.5 s of a stroke that takes 2.1 s, and 1.1 s with the edits.
+CLAMP = """\
+' IN 1 part  2 clamp closed
+SCALE(0) = 100
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  Pause INX(1)
+  OUTX(1) = 1
+  TIME = 0
+  MOVER(0) = 200 : GO(0)
+  While Not IDLE(0)
+    If INX(2) = 0 And TIME > 1500 Then LATE
+  End While
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  OUTX(1) = 0
+End Loop
+"""
+MACHINE = """\
+controller.model = "mintmt"
+[axis.0.limits]
+speed = 200
+acceleration = 2000
+[[input]]
+channel = 1
+at = 0.1
+[[input]]
+channel = 2
+at = 0.2
+"""
+
+
+def improved(cell: Cell, late: str) -> tuple[int, str, str]:
+    cell.write("clamp.mnt", CLAMP.replace("LATE", late))
+    cell.write("clamp.machine.toml", MACHINE)
+    ran = cell("improve", "clamp.mnt", "--patch", "faster.diff")
+    return ran.status, ran.out, ran.err
+
+
+def test_edits_that_change_a_printed_line_in_a_way_are_refused(cell: Cell) -> None:
+    status, out, err = improved(cell, 'STOP(0) : Print "CLAMP" : Exit')
+    assert status == 1
+    assert "SPEED[0]@3" in out
+    assert "+++" not in out
+    assert not (cell.folder / "faster.diff").exists()
+    assert err == (
+        "error[beyond-limit]: the edits change what the program does: start; input 1 (part) on: "
+        "A axis 0 MOVER, cut off at 150.099 (stop), then 'CLAMP' after 0.00 s, "
+        "B axis 0 to 200 at 200, then axis 0 to 0 at 200, then output 1 off and 586 more after 0.00 s "
+        "(line 8 of A, line 8 of B)\n"
+        "  hint: --hold SPEED[0]@3 keeps that number; --edits and --by make fewer edits\n"
+    )
+
+
+def test_a_way_that_only_goes_elsewhere_is_named(cell: Cell) -> None:
+    status, out, err = improved(cell, "OUTX(3) = 1")
+    assert (status, err) == (0, "")
+    assert "ways played with the edits, too, " in out
+    assert (
+        "note: B, with the edits, does something else: start; input 1 (part) on: A output 3 on after" in out
+    )
+    assert (cell.folder / "faster.diff").exists()
