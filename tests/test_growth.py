@@ -14,7 +14,8 @@ import pytest
 from lsprotocol import types
 
 from motionlang.cli import main
-from motionlang.commands.map.behaviour import ReaderNames, behaviour_of
+from motionlang.commands.map.behaviour import behaviour_of
+from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.view.text import render
 from motionlang.exploration import explore

@@ -57,7 +57,7 @@ from motionlang.exploration.changes import (
 from motionlang.exploration.cycles import MachineCycle, cycles
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest
 from motionlang.exploration.search import MAX_WORK, Explorer
-from motionlang.exploration.states import StateNode, Transition, Visit
+from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import Act, Interrupted, Trial, asks, described, plain, without_figures
 from motionlang.exploration.values import is_probe
@@ -72,6 +72,7 @@ __all__ = [
     "Act",
     "Change",
     "Channel",
+    "Effect",
     "Entry",
     "Exploration",
     "FoundSwitches",

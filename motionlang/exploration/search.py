@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections import Counter, defaultdict
-from collections.abc import Callable, Collection, Hashable, Iterator, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, Sequence
 from math import inf
 from operator import attrgetter
 
@@ -22,9 +22,9 @@ from motionlang.exploration.changes import Channel, Timeline, given_in
 from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests
 from motionlang.exploration.roles import beside_work, commands, reached_in, triggers_of
-from motionlang.exploration.states import DELAY, Causes, Departure, StateNode, Transition, Visit, Work
+from motionlang.exploration.states import DELAY, Causes, Departure, Effect, StateNode, Transition, Visit, Work
 from motionlang.exploration.switches import FoundSwitches
-from motionlang.exploration.trials import Act, Trial, Trials, plain, without_figures
+from motionlang.exploration.trials import Act, Trial, TrialMotion, Trials, plain, without_figures
 from motionlang.exploration.values import printed_for
 from motionlang.kernel import Program
 from motionlang.kernel.log import Printed, Switched
@@ -363,6 +363,12 @@ class Explorer:
                 is_later,
                 is_over or not causes,
                 does,
+                frozenset(
+                    each.at
+                    for begun in trial.statements.values()
+                    for each in begun
+                    if since <= each.time <= until
+                ),
             )
         )
         return True
@@ -383,11 +389,7 @@ class Explorer:
     def acts(self, part: Trial) -> tuple[Act, ...]:
         """Return what a program does in a part of a trial, in order."""
         found = [
-            *(
-                Act(each.begin, each.line, f"axis {each.axis}", each.words)
-                for each in part.moves
-                if each.words
-            ),
+            *(Act(each.begin, each.line, f"axis {each.axis}", each.words) for each in _whole(part.moves)),
             *(
                 self._act(each, f"output {each.channel}", "on" if each.value else "off")
                 for each in part.outputs
@@ -422,9 +424,20 @@ def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
     return any(since <= move.begin < rest.begin for move in trial.moves)
 
 
-def _does(part: Trial, until: float) -> Hashable:
-    """Return what a program does in a part of a trial, but for figures and for how often a lamp blinks."""
-    return (
+def _whole(moves: Sequence[TrialMotion]) -> Iterator[TrialMotion]:
+    """Yield the moves that move something, a homing with all its phases once."""
+    last: dict[int, TrialMotion] = {}
+    for each in moves:
+        before = last.get(each.axis)
+        is_phase = each.is_homing and before is not None and before.is_homing and before.line == each.line
+        last[each.axis] = each
+        if each.words and not is_phase:
+            yield each
+
+
+def _does(part: Trial, until: float) -> Effect:
+    """Return what a program does in a part of a trial."""
+    return Effect(
         tuple((each.line, each.ended if each.end <= until else "") for each in part.moves),
         frozenset((each.channel, bool(each.value)) for each in part.outputs),
         frozenset(without_figures(each.text) for each in part.prints),

@@ -58,6 +58,18 @@ def delay(begin: float, end: float) -> float:
     return min(DELAY, (end - begin) / 2.0)
 
 
+class Effect(NamedTuple):
+    """What a transition does, but for figures, and for how often a lamp blinks.
+
+    `moves` are the lines that move an axis, each with how it was cut off, "" if it was not; `outputs` those that were
+    switched, with their levels; `prints` the printed lines.
+    """
+
+    moves: tuple[tuple[int, str], ...]
+    outputs: frozenset[tuple[int, bool]]
+    prints: frozenset[str]
+
+
 @dataclass
 class Transition:
     """A way from a state to the next one.
@@ -66,9 +78,9 @@ class Transition:
     those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts`
     are the moves, outputs and printed lines in order. `is_cut` is True if a handler ran that commands anything, or a
     fault cut off a move. `visit` is that of the source from which it was found, `is_later` if that is no shortest one.
-    `is_by_itself` is True if the stay ends without the changes at that time. Two transitions do the same if `does` is
-    equal: the lines that move, how they were cut off, the outputs that are switched, and words. `variants` are other
-    values of the same channels with which the same happens.
+    `begun` are the source offsets of the statements that began. `is_by_itself` is True if the stay ends without the
+    changes at that time. Two transitions do the same if `does` is equal. `variants` are other values of the same
+    channels with which the same happens.
     """
 
     source: RestState | None
@@ -83,7 +95,8 @@ class Transition:
     visit: Visit
     is_later: bool
     is_by_itself: bool
-    does: Hashable
+    does: Effect
+    begun: frozenset[int]
     variants: dict[Causes, None] = field(default_factory=dict)
 
 
@@ -147,7 +160,7 @@ class StateNode:
         self.tried |= other.tried
         self.refused |= other.refused
 
-    def knows(self, causes: Causes, target: RestState | None, does: Hashable) -> bool:
+    def knows(self, causes: Causes, target: RestState | None, does: Effect) -> bool:
         """True if the same happens by these causes, by some of them, or by other values or moments of their channels.
 
         Other values are noted, since what they do may differ later.

@@ -355,11 +355,14 @@ def _moves(result: Run) -> Iterator[TrialMotion]:
 
 
 def described(move: LoggedMove, is_homing: bool) -> str:
-    """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing."""
+    """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing.
+
+    Of a homing, whose phases end at its switch, it is the command.
+    """
     profile = move.profile
-    if profile is None:
-        return ""
-    words = [move.command] if is_homing or profile.duration == inf else []
+    if profile is None or is_homing:
+        return "" if profile is None else move.command
+    words = [move.command] if profile.duration == inf else []
     if profile.duration < inf:
         words.append(f"to {move.to_user(profile.end):.6g}")
     if profile.peak_speed:

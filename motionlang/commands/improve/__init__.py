@@ -284,7 +284,9 @@ class Improver:
         made = {each.literal.address for each in edits}
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
-        ways = played_ways(self.source, patched, self.language, self.world.settings) if chosen else None
+        settings = self.world.settings
+        program = self.language.program(self.source, settings, is_debug=True) if chosen else None
+        ways = played_ways(program, values, settings) if program is not None else None
         return Improvement(
             self.source, patched, self._title, self._where, self.before, after, chosen, result, limits, self.held,
             self.skipped, notes, refused, ways, sets, self._runs,

@@ -10,14 +10,14 @@ Cost. At most `EXPLORED` statements for the exploration, and `PLAYED` for the wa
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from motionlang.commands.diff.acts import ComparedAct, PlayedWay
 from motionlang.commands.diff.ways import FoundDifference, Player, compared_ways
 from motionlang.commands.diff.ways_view import difference_words, input_names, not_compared, way_words
-from motionlang.exploration import Exploration, Timeline, explore, without_figures, without_world
-from motionlang.kernel import Dialect, Source
+from motionlang.exploration import Timeline, explore, without_figures, without_world
+from motionlang.kernel import Program
 from motionlang.kernel.tools import count_of
 
 # The statements that the exploration of the program may begin, and those of both programs in the ways.
@@ -48,18 +48,13 @@ def _without_times(act: ComparedAct) -> ComparedAct:
 
 
 def played_ways(
-    source: Source,
-    patched: Source,
-    language: Dialect,
-    settings: Mapping[str, object],
-    progress: Callable[[float], object] = lambda share: None,
+    program: Program, values: Mapping[str, float | str], settings: Mapping[str, object]
 ) -> PlayedWays:
-    """Return what a program does with edits in the ways that an exploration of it finds."""
-    a = _explored(source, language, without_world(settings), EXPLORED, lambda share: progress(0.5 * share))
-    b = _explored(patched, language, {**a.switches.settings, **without_world(settings)}, 1)
-    found = compared_ways(
-        _WithoutTimes(a), _WithoutTimes(b), PLAYED, progress=lambda share: progress(0.5 + 0.5 * share)
-    )
+    """Return what a program, a debug build, does with other values in the ways that an exploration of it finds."""
+    own = without_world(settings)
+    a = explore(program, own, work=EXPLORED)
+    b = explore(program.with_values(values), {**a.switches.settings, **own}, work=1)
+    found = compared_ways(_WithoutTimes(a), _WithoutTimes(b), PLAYED)
     names = input_names(a)
     texts: dict[bool, list[str]] = {True: [], False: []}
     for each in (*found.differences, *found.behind):
@@ -69,17 +64,6 @@ def played_ways(
     left = not_compared(found)
     summary = f"{count_of(found.played, 'way')} played with the edits, too{differ}"
     return PlayedWays(f"{summary}; not compared: {left}" if left else summary, texts[True], texts[False])
-
-
-def _explored(
-    source: Source,
-    language: Dialect,
-    settings: Mapping[str, object],
-    work: int,
-    progress: Callable[[float], object] = lambda share: None,
-) -> Exploration:
-    program = language.program(source, settings, is_debug=True)
-    return explore(program, settings, work=work, progress=progress)
 
 
 def _is_grave(found: FoundDifference) -> bool:

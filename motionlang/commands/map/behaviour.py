@@ -7,18 +7,19 @@ happens by itself all the same.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import inf
 from operator import attrgetter
 
-from motionlang.commands.map.axes import AxisMap
-from motionlang.commands.map.channels import Channel
+from motionlang.commands.map.cautions import CautionRow, cautions
+from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import Reachability
 from motionlang.exploration import (
     Act,
     Change,
+    Effect,
     Exploration,
     RestState,
     StateNode,
@@ -50,34 +51,46 @@ SHORTEST = 0.001
 
 @dataclass(eq=False, slots=True)
 class TransitionRow:
-    """A transition in words: what leads on, what happens then, in order, how long it takes, s, and where it leads."""
+    """A transition in words: what leads on, what happens then, in order, how long it takes, s, and where it leads.
+
+    `lines` are those that it runs.
+    """
 
     until: str
     then: Sequence[str]
     seconds: float
     to: str
+    lines: frozenset[int] = frozenset()
 
 
 @dataclass(eq=False, slots=True)
 class StateRow:
-    """A state: its lines with the calls that lead there, its first statement, what it reads, and what leads on."""
+    """A state: its lines with the calls that lead there, its first statement, what it reads, and what leads on.
+
+    `lines` are those that it repeats or waits at.
+    """
 
     name: str
     statement: str
     reads: Sequence[str]
     transitions: Sequence[TransitionRow]
     is_in_cycle: bool
+    lines: frozenset[int] = frozenset()
 
 
 @dataclass(eq=False, slots=True)
 class HandlerRow:
-    """The effect of a handler: its trigger, its acts, the states in which it was seen, and the state that follows."""
+    """The effect of a handler: its trigger, its acts, the states in which it was seen, and the state that follows.
+
+    `lines` are those that it runs.
+    """
 
     unit: str
     start: str
     then: Sequence[str]
     states: dict[str, None]
     to: str
+    lines: frozenset[int]
 
 
 @dataclass(eq=False, slots=True)
@@ -113,8 +126,9 @@ class UnreachedRow:
 class MachineBehaviour:
     """The behaviour of a machine: its states, power-up first, handlers, choices, its cycle, and lines that never ran.
 
-    `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run if it has none.
-    `ending` is what happens in that run behind its last move, if the program ends.
+    `cautions` are what to know before the program is changed, `usual` sentences about where tasks wait in states that
+    say nothing else. `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run
+    if it has none. `ending` is what happens in that run behind its last move, if the program ends.
     """
 
     exploration: Exploration
@@ -122,6 +136,8 @@ class MachineBehaviour:
     handlers: list[HandlerRow]
     choices: list[ChoiceRow]
     cycle_rows: list[CycleRow]
+    cautions: list[CautionRow]
+    usual: list[str]
     unreached: list[UnreachedRow]
     span: tuple[float, float]
     ending: Sequence[str]
@@ -130,28 +146,6 @@ class MachineBehaviour:
     def run(self) -> Run:
         """The run in the world of the likeliest cycle."""
         return self.exploration.world.run
-
-
-class ReaderNames:
-    """Channels and axes by the names that a reader knows."""
-
-    def __init__(self, channels: Iterable[Channel], axes: Iterable[AxisMap]) -> None:
-        self._known = {each.title: each.known_as for each in channels}
-        self._known |= {f"axis {each.axis}": each.title for each in axes}
-
-    def __getitem__(self, subject: str) -> str:
-        return self._known.get(subject, subject)
-
-    def change(self, change: Change) -> str:
-        """Return a change with the name of its channel."""
-        return self._named(change.subject, str(change))
-
-    def act(self, act: Act) -> str:
-        """Return an act with the name of its axis or output."""
-        return self._named(act.subject, str(act))
-
-    def _named(self, subject: str, text: str) -> str:
-        return f"{self[subject]}{text[len(subject) :]}" if text.startswith(subject) else text
 
 
 def behaviour_of(
@@ -168,6 +162,8 @@ def behaviour_of(
         words.handlers(),
         words.choices(),
         _joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time"))),
+        cautions(exploration, structure, names),
+        words.usual_places(),
         sorted(
             (*_never_run(exploration, structure), *_without_way(structure.source, unreached)),
             key=attrgetter("first"),
@@ -184,17 +180,33 @@ class _Words:
         self.exploration, self.names = exploration, names
         self.structure = structure
         given = [node.state for node in exploration.nodes]
-        lines = {state: lines_of(state, structure.line) for state in given}
-        often = Counter(lines.values())
-        # States with the same lines differ by their statements.
-        self._names = {
-            state: name if often[name] == 1 else f"{name} ({statements_of(state or (), structure)})"
-            for state, name in lines.items()
-        }
+        self.usual = _usual(given)
+        # States that have the same name without their usual places, or with them, differ by their statements.
+        self._names: dict[RestState | None, str] = {}
+        for parts in (self.unusual, lambda state: state):
+            lines = {state: lines_of(state and parts(state), structure.line) for state in given}
+            places = {(name, _place(state)) for state, name in lines.items()}
+            often = Counter(name for name, _ in places)
+            for state, name in lines.items():
+                if often[name] == 1:
+                    self._names.setdefault(state, name)
+        for state, name in lines.items():
+            self._names.setdefault(state, f"{name} ({statements_of(state or (), structure)})")
         # The handlers that the change of a channel starts, by the name of the channel.
         self.started = {
             f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
         }
+
+    def unusual(self, state: RestState) -> RestState:
+        """Return a state without the places where its tasks usually rest; all of it if nothing is left."""
+        return tuple(each for each in state if each._replace(memory=()) not in self.usual) or state
+
+    def usual_places(self) -> list[str]:
+        """Return where tasks wait in states that say nothing else."""
+        return [
+            f"{each.task} waits in {lines_of((each,), self.structure.line)}: {statements_of((each,), self.structure)}"
+            for each in self.usual
+        ]
 
     def lines(self, state: RestState | None) -> str:
         """Return the name of a state: its lines, with the calls that lead there."""
@@ -211,16 +223,15 @@ class _Words:
 
     def state(self, nodes: Sequence[StateNode], is_in_cycle: bool) -> StateRow:
         """Return a state with what leads on from it, but for handlers; `nodes` differ in what the program remembers."""
-        found: dict[tuple[object, ...], tuple[TransitionRow, list[StateNode]]] = {}
+        found: dict[Hashable, tuple[TransitionRow, list[StateNode]]] = {}
         for node in nodes:
             shown = [each for each in kept(node.transitions) if not self.handler(each)]
-            for each in shown:
-                row = self.way(each, shown)
-                found.setdefault((row.until, row.to, each.does), (row, []))[1].append(node)
-            for row in self.refused(node):
-                found.setdefault((row.until, row.to, *map(without_figures, row.then)), (row, []))[1].append(
-                    node
-                )
+            ways = [(self.way(each, shown), _once(each.does)) for each in shown]
+            ways += [(row, tuple(map(without_figures, row.then))) for row in self.refused(node)]
+            for row, does in ways:
+                first, its = found.setdefault((row.until, row.to, does), (row, []))
+                first.lines |= row.lines
+                its.append(node)
         rows = list(found.values())
         decides = [
             self.deciding(
@@ -243,8 +254,9 @@ class _Words:
         reads = dict.fromkeys(
             self.names[each] for node in nodes for each in self.exploration.reads(node.state or ())
         )
-        statement = statements_of(state, self.structure)
-        return StateRow(self.lines(state), statement, list(reads), transitions, is_in_cycle)
+        statement = statements_of(self.unusual(state), self.structure)
+        lines = frozenset(self.structure.line(at) for place in self.unusual(state) for at in place.statements)
+        return StateRow(self.lines(state), statement, list(reads), transitions, is_in_cycle, lines)
 
     def deciding(self, nodes: Iterable[StateNode], others: Iterable[StateNode]) -> str:
         """Return the variable that some states have with other values than others, such as "good = 0"; "" for none."""
@@ -258,7 +270,7 @@ class _Words:
 
     def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
         to = "the end" if each.target is None else self.lines(each.target)
-        return TransitionRow(self.until(each, others), self.then(each), each.seconds, to)
+        return TransitionRow(self.until(each, others), self.then(each), each.seconds, to, self.run(each))
 
     def refused(self, node: StateNode) -> Iterator[TransitionRow]:
         """Yield what happens with answers after which the program asks again; of the same several once."""
@@ -292,6 +304,10 @@ class _Words:
                     and levels.get(channel, 0.0) != others_levels.get(channel, 0.0)
                 )
         return f"{found}, with {' and '.join(differing)}" if differing else found
+
+    def run(self, each: Transition) -> frozenset[int]:
+        """Return the lines that a transition runs."""
+        return frozenset(map(self.structure.line, each.begun))
 
     def then(self, each: Transition) -> list[str]:
         return [self.names.act(act) for act in each.acts]
@@ -328,9 +344,8 @@ class _Words:
                 to = "the end" if each.target is None else self.lines(each.target)
                 to = "the same state" if each.target == node.state else to
                 key = unit, start, to, *then
-                found.setdefault(key, HandlerRow(unit, start, then, {}, to)).states[
-                    self.lines(node.state)
-                ] = None
+                row = found.setdefault(key, HandlerRow(unit, start, then, {}, to, self.run(each)))
+                row.states[self.lines(node.state)] = None
         return sorted(
             found.values(), key=lambda each: (-len(each.states), each.unit, len(each.start), each.start)
         )
@@ -353,9 +368,20 @@ class _Words:
         return found
 
 
+def _once(does: Effect) -> Hashable:
+    """Return what a transition does, with a move of a line once: a homing has as many phases as it takes."""
+    return does._replace(moves=tuple(dict.fromkeys(does.moves)))
+
+
 def _place(state: RestState | None) -> RestState | None:
     """Return a state without what the program remembers."""
     return None if state is None else tuple(each._replace(memory=()) for each in state)
+
+
+def _usual(states: Sequence[RestState | None]) -> RestState:
+    """Return where tasks rest in more than half of the states, of a machine with several tasks."""
+    places = Counter(each for state in states if state is not None for each in _place(state) or ())
+    return tuple(each for each, count in places.items() if len(states) > 2 and 2 * count > len(states))
 
 
 def _memory(node: StateNode) -> dict[int, object]:
@@ -418,8 +444,9 @@ def _cycle_rows(
             yield CycleRow(wait.since - begin, line(wait.at), what, seconds)
     for move in log.moves:
         if within(move.start_time) and move.profile is not None:
-            start = move.to_user(move.profile.start)
-            words = f"{names[f'axis {move.axis}']} from {start:.6g} {described(move, homes(move.command))}"
+            is_homing = homes(move.command)
+            start = "" if is_homing else f"from {move.to_user(move.profile.start):.6g} "
+            words = f"{names[f'axis {move.axis}']} {start}{described(move, is_homing)}"
             seconds = move.profile.duration
             yield CycleRow(move.start_time - begin, move.line, words, None if seconds == inf else seconds)
     for output in log.outputs:

@@ -10,11 +10,12 @@ from typing import ClassVar
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.parser import either
+from motionlang.cli.readers import whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.explore.playing import playing
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
-from motionlang.commands.map.view.text import render, unit_text
+from motionlang.commands.map.view.text import line_text, render, unit_text
 from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest
@@ -40,6 +41,7 @@ examples:
   motionlang map old.prg -o old.html
   motionlang map old.prg --no-run     the text alone, at once
   motionlang map old.prg --unit cut   the statements of a sub
+  motionlang map old.prg --line 141   the ways in which a line runs
 """
     suffixes: ClassVar[Mapping[str, str]] = SUFFIXES
     file: str = argument("FILE", "the program; - reads standard input")
@@ -52,6 +54,9 @@ examples:
     unit: str | None = option(
         "NAME", "show only the statements of one sub, task, handler or macro, and what each waits for"
     )
+    line: int | None = option(
+        "N", "show only the states and the ways in which line N runs", read=whole("a line number", 1, 10**9)
+    )
     all: bool = flag("show all ways of all states; the text has those of the cycle and the next ones")
     no_run: bool = flag("show only what the text says, without playing the program")
 
@@ -60,6 +65,8 @@ examples:
         super().check()
         if (self.no_run or self.unit is not None) and self.overrides():
             raise WrongOption("names of the program in --set need a run")
+        if self.line is not None and (self.no_run or self.unit is not None):
+            raise WrongOption(f"--line and {'--no-run' if self.no_run else '--unit'} exclude each other")
 
     def run(self) -> int:
         source, language = self.source(), self.known_language()
@@ -73,6 +80,8 @@ examples:
         width, colour = table_width(sys.stdout), wants_colour(sys.stdout)
         if self.unit is not None:
             text = unit_text(made, _unit(made, self.unit), width=width, colour=colour)
+        elif self.line is not None:
+            text = line_text(made, self.line, width=width, colour=colour)
         else:
             text = render(made, width=width, colour=colour, has_all=self.all)
         if self.format in ("text", "json", "csv", "none"):

@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from motionlang.commands.map.axes import AxisMap, axes
-from motionlang.commands.map.behaviour import MachineBehaviour, ReaderNames, behaviour_of
+from motionlang.commands.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang.commands.map.channels import Channel, channels, only_named, order_of
 from motionlang.commands.map.comments import Named, comments_of, named, without_marks
+from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import MapVariable, UnitMap, units, variables
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import Dialect, Program, Source, dialect_for, settings_next_to

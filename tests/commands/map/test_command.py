@@ -57,6 +57,11 @@ output 3 (clamp)         ██████████████████�
 in this world, which motionlang init writes:
   [[input]] channel = 1, asked = 0.3
 
+Before you change anything
+  input 2 (door) on cuts off moves of lines 6, 8 by event IN2
+  output 3 (clamp) is on in moves of lines 6, 8
+  the waits of lines 4, 14 have no time-out
+
 States
 power-up
   by itself → 4, 0.00 s
@@ -131,6 +136,15 @@ line  statement          waits for
   13  If n > 1000000
   13  Spare
   14  PAUSE INX(1) = 0   input 1 (part in place)
+"""
+LINE = """\
+line 20: STOP(0)
+
+Handlers
+  event IN2: input 1 (part in place) on and input 2 (door) on while axis 0 moves (line 6), waiting in 4 → 14: axis 0 to
+      29.997 at 100; axis 0 to 0 at 100; output 3 (clamp) off; 'piece 1.0000'
+  event IN2: input 1 (part in place) on and input 2 (door) on while axis 0 moves (line 8), waiting in 4 → 14: axis 0 to
+      19.995 at 100; output 3 (clamp) off; 'piece 1.0000'
 """
 
 
@@ -224,6 +238,13 @@ def test_a_program_with_errors_has_no_map(program: Cell) -> None:
     ran = program("map", "b.mnt")
     assert (ran.status, ran.out) == (1, "")
     assert "error[syntax]" in ran.err
+
+
+def test_a_line_with_the_states_and_ways_in_which_it_runs(program: Cell) -> None:
+    assert program("map", "a.mnt", "--line", "20").out == LINE
+    assert program("map", "a.mnt", "--line", "17").out == "line 17: OUTX(3) = 0\n  never ran: sub Spare\n"
+    assert program("map", "a.mnt", "--line", "99").out == "line 99\n  has no statement of its own\n"
+    assert "--line and --no-run exclude each other" in program("map", "a.mnt", "--line", "4", "--no-run").err
 
 
 def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None:

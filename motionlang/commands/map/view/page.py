@@ -39,10 +39,14 @@ def page(made: ProgramMap, timing: str = "") -> str:
             if world
             else []
         )
-        body += ['<h2 id="states">States</h2>', *_table(tables.transitions(behaviour))]
+        cautions = tables.cautions(behaviour)
+        body += [f'<h2 id="cautions">{cautions.head}</h2>', *_table(cautions)]
+        body += ['<h2 id="states">States</h2>']
+        body += [f"<p>Unless said otherwise, {escape(each)}</p>" for each in behaviour.usual]
+        body += _table(tables.transitions(behaviour))
         body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(behaviour))]
         body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(behaviour))]
-        links = [("cycle", "Cycle"), ("states", "States"), ("handlers", "Handlers")]
+        links = [("cycle", "Cycle"), ("cautions", "Cautions"), ("states", "States"), ("handlers", "Handlers")]
     for table in tables.of_text(made):
         body += [f'<h2 id="{table.name}">{escape(table.head)}</h2>', *_table(table)]
         links.append((table.name, table.head))

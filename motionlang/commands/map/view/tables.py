@@ -31,7 +31,7 @@ def tables(made: ProgramMap) -> list[Table]:
     found = of_text(made)
     if made.behaviour is not None:
         found += [cycle(made.behaviour), states(made.behaviour), transitions(made.behaviour)]
-        found += [choices(made.behaviour), handlers(made.behaviour)]
+        found += [choices(made.behaviour), handlers(made.behaviour), cautions(made.behaviour)]
     return found
 
 
@@ -124,6 +124,14 @@ def cycle(behaviour: MachineBehaviour) -> Table:
         Column("seconds", "takes", unit="s", decimals=3),
     ]
     return Table("cycle", columns, behaviour.cycle_rows)
+
+
+def cautions(behaviour: MachineBehaviour) -> Table:
+    """Return the table of what to know before the program is changed."""
+    columns = [Column("kind", data=True), Column("what", "", left=True), Column("why", "", left=True)]
+    return Table(
+        "cautions", columns, behaviour.cautions, empty="nothing was seen", head="Before you change anything"
+    )
 
 
 def states(behaviour: MachineBehaviour) -> Table:

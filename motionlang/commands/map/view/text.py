@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from math import inf
 from textwrap import wrap
 
-from motionlang.commands.map.behaviour import MachineBehaviour, StateRow, TransitionRow
+from motionlang.commands.map.behaviour import HandlerRow, MachineBehaviour, StateRow, TransitionRow
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.graph import mermaid
@@ -18,8 +19,8 @@ from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
-# So many ways of states that are not in the cycle, and effects of handlers, are shown without --all.
-MAX_WAYS, MAX_HANDLERS = 40, 6
+# So many ways of states that are not in the cycle, and effects of handlers, each in so many states, are shown at first.
+MAX_WAYS, MAX_HANDLERS, MAX_NAMES = 40, 6, 2
 MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_CYCLE_ROWS = 10, 5, 3, 40
 
 
@@ -45,7 +46,10 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
     """Return a map as text: the ways that matter, those of the cycle first, or all of them."""
     found = [headline(made)]
     if made.behaviour is not None:
-        found += ["", *_cycle(made, made.behaviour, width, colour), "", styled("States", "bold", colour)]
+        found += ["", *_cycle(made, made.behaviour, width, colour), *_cautions(made.behaviour, width, colour)]
+        found += ["", styled("States", "bold", colour)]
+        for usual in made.behaviour.usual:
+            found += _wrapped(f"unless said otherwise, {usual}", "", width)
         if len(made.behaviour.states) == 1:
             found.append("the program waits for nothing around it")
         found += _states(made.behaviour.states, width, colour, inf if has_all else MAX_WAYS)
@@ -59,9 +63,7 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
         handlers = made.behaviour.handlers[: None if has_all else MAX_HANDLERS]
         left = len(made.behaviour.handlers) - len(handlers)
         for each in handlers:
-            then = f": {_then(each.then)}" if each.then else ""
-            text = f"{each.unit}: {each.start}, waiting in {', '.join(each.states)} → {each.to}{then}"
-            found += _wrapped(text, "  ", width)
+            found += _handler(each, width)
         found += [f"  … {left} more: --all shows them"] if left else []
     for table in tables.of_text(made):
         found += ["", *table.lines(width, colour=colour)]
@@ -108,6 +110,20 @@ def _cycle(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: bo
     return found
 
 
+def _cautions(behaviour: MachineBehaviour, width: int, colour: bool) -> Iterator[str]:
+    """Yield what to know before the program is changed."""
+    if behaviour.cautions:
+        yield from ("", styled("Before you change anything", "bold", colour))
+    for each in behaviour.cautions:
+        yield from _wrapped(f"{each.what} {each.why}", "  ", width)
+
+
+def _some(names: Sequence[str]) -> str:
+    """Return names, of many the first ones and how many there are."""
+    more = len(names) - MAX_NAMES
+    return "; ".join(names if more < 2 else [*names[:MAX_NAMES], f"{more} more states"])
+
+
 def _states(states: Sequence[StateRow], width: int, colour: bool, most: float) -> Iterator[str]:
     """Yield states with at most so many ways in all; those that are left out are counted."""
     ways = 0
@@ -139,6 +155,13 @@ def _ways(transitions: Sequence[TransitionRow], width: int) -> Iterator[str]:
         yield from _wrapped(f"{each.until} → {each.to}, {each.seconds:.2f} s{then}", "  ", width)
 
 
+def _handler(row: HandlerRow, width: int) -> list[str]:
+    then = f": {_then(row.then)}" if row.then else ""
+    return _wrapped(
+        f"{row.unit}: {row.start}, waiting in {_some(list(row.states))} → {row.to}{then}", "  ", width
+    )
+
+
 def _then(acts: Sequence[str]) -> str:
     """Return what happens; of a long list the begin, the end, and the last lines that are printed."""
     if len(acts) <= MAX_ACTS:
@@ -159,6 +182,28 @@ def _wrapped(text: str, indent: str, width: int) -> list[str]:
     )  # fmt: skip
 
 
+def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False) -> str:
+    """Return the states and the ways in which a line runs, or why it never ran."""
+    source, behaviour = made.source, made.behaviour
+    assert behaviour is not None
+    text = source.line(line).strip() if line <= source.text.count("\n") + 1 else ""
+    found = [styled(f"line {line}: {printable(text)}".removesuffix(": "), "bold", colour)]
+    for state in behaviour.states:
+        ways = [each for each in state.transitions if line in (*each.lines, *state.lines)]
+        found += (
+            _state(replace(state, transitions=ways), width, colour) if ways or line in state.lines else []
+        )
+    handlers = [each for each in behaviour.handlers if line in each.lines]
+    found += ["", styled("Handlers", "bold", colour)] if handlers else []
+    for each in handlers:
+        found += _handler(each, width)
+    if len(found) == 1:
+        never = next((each for each in behaviour.unreached if each.first <= line <= each.last), None)
+        why = f": {never.why}" if never is not None and never.why else ""
+        found.append(f"  never ran{why}" if never is not None else "  has no statement of its own")
+    return "\n".join(found) + "\n"
+
+
 def unit_text(made: ProgramMap, unit: Unit, *, width: int, colour: bool = False) -> str:
     """Return the statements of one unit, with what each waits for."""
     return "\n".join(tables.statements(made, unit).lines(width, colour=colour)) + "\n"
@@ -171,7 +216,11 @@ def markdown(made: ProgramMap) -> str:
     if behaviour is not None:
         found += ["", "## Cycle", "", cycle_line(behaviour), "", *tables.cycle(behaviour).markdown()]
         found += ["", "## States", "", "```mermaid", *mermaid(behaviour), "```"]
-        for table in (tables.transitions(behaviour), tables.choices(behaviour), tables.handlers(behaviour)):
+        found += (
+            ["", *(f"Unless said otherwise, {each}" for each in behaviour.usual)] if behaviour.usual else []
+        )
+        more = (tables.transitions, tables.choices, tables.handlers, tables.cautions)
+        for table in (each(behaviour) for each in more):
             found += ["", f"### {table.head}", "", *(table.markdown() if table.rows else [table.empty])]
     for table in tables.of_text(made):
         found += ["", f"## {table.head}", "", *(table.markdown() if table.rows else [table.empty])]

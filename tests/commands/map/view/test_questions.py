@@ -82,7 +82,7 @@ QUESTIONS = {
         "what must be there before it fetches a bag?": [
             "waits in 41-45: KY = INKEY [a key, input 4 (STOP BUTTON), input 3 (AIR OK), input 1 (PALLET IN PLACE)]",
             "input 1 (PALLET IN PLACE) on → 41-47",
-            "input 0 (BAG AT PICK) on → 73, 74 called in 49 (If TIME - TM0 > 1500), 1.45 s: axis 0 (X) to 0",
+            "input 0 (BAG AT PICK) on → 73, 74 called in 49, 1.45 s: axis 0 (X) to 0",
         ],
         "what does the key R do?": [
             "and key R → 41-47, 0.00 s: output 1 (PALLET CLAMP) on; output 1 (PALLET CLAMP) off"
@@ -102,8 +102,7 @@ QUESTIONS = {
             "moves MOVEA = 710 - LA * 110 computed 96",
         ],
         "in what order does it home?": [
-            "axis 2 (Z) HOME to 0 at 2.82843; axis 1 (Y) HOME to -60.72 at 60",
-            "axis 0 (X) HOME to -60.72 at 60",
+            "by itself → 28, 3.46 s: axis 2 (Z) HOME; axis 1 (Y) HOME; axis 0 (X) HOME",
         ],
         "when is the truck called?": ["output 4 (CALL TRUCK) on; 'PALLET 1 FULL'"],
         "what switches the red lamp?": ["output 3 RED LAMP out 80, 119, 122, 128, 131 1, 0"],
