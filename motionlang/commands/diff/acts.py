@@ -141,6 +141,9 @@ def _acts(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
         yield ComparedAct(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
     for text in log.prints:
         yield ComparedAct(text.time, text.time, _line(text.at, line), "", plain(text.text))
+    for label, terminal in run.machine.terminals.items():
+        for text in terminal.prints:
+            yield ComparedAct(text.time, text.time, _line(text.at, line), "", f"[{label}] {plain(text.text)}")
 
 
 def _line(at: int, line: Callable[[int], int]) -> int:

@@ -85,3 +85,13 @@ def test_a_port_to_mintmt_is_no_difference(path: Path, cell: Cell) -> None:
     assert cell("check", ported, "--fix", "--model", "mintmt", "--format", "none").status == 0
     ran = cell("diff", path.name, ported, "--explore", "--format", "json")
     assert ran.status == 0, ran.out
+
+
+def test_what_another_terminal_shows_is_compared(cell: Cell) -> None:
+    text = 'REM IN 0 part\n#WAIT\nPAUSE INX.0\nTERMINAL = 2\n? "PART 1"\nPAUSE INX.0 = 0\nGOTO WAIT\n'
+    cell.write("old.prg", text)
+    cell.write("new.prg", text.replace("PART 1", "PART 2"))
+    ran = cell("diff", "old.prg", "new.prg", "--explore")
+    assert (
+        "start; input 0 (part) on: A '[terminal 2] PART 1' after 0.00 s, B '[terminal 2] PART 2'" in ran.out
+    )
