@@ -46,9 +46,7 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         for at in place.statements
         if at in node.reads
     }
-    return (
-        [*rows, CautionRow("waits", f"the waits of {_lines(waits)}", "have no time-out")] if waits else rows
-    )
+    return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:
