@@ -51,19 +51,14 @@ class McapiPort:
         self._out += f"! {why}\n".encode("latin-1", "replace")
         self.refused = True
 
-    def accepts(self, data: bytes | bytearray) -> bool:
+    def accepts(self, data: bytes | bytearray, by_line: bool = False) -> bool:
         """True if a whole line has arrived and the previous one is answered."""
         return LF in data and not self.busy
 
-    def drop_abandoned(self, data: bytearray) -> None:
-        """Do nothing: no character of this protocol abandons a line."""
-
-    def at_once(self, data: bytes | bytearray) -> bytes:
-        """Return nothing: no data is accepted during a call."""
-        return b""
-
-    def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
-        """Return the first line of `data` and True, or its beginning and False."""
+    def next_piece(self, data: bytearray, by_line: bool) -> tuple[bytes, bool]:
+        """Return the first line of `data` and True, or its beginning and False; all of it if not by line."""
+        if not by_line:
+            return bytes(data), False
         end = data.find(LF) + 1
         return bytes(data[: end or None]), bool(end)
 

@@ -75,7 +75,7 @@ class Port:
         self._out = bytearray()
         self._is_paused = False
         self._closed = False
-        # True if the last entry of `next_entry` ended with CR.
+        # True if the last entry of `_next_entry` ended with CR.
         self._entered_cr = False
         # True if the end of the current line has been echoed.
         self._ended = False
@@ -105,28 +105,31 @@ class Port:
         """True if so much output is unread that the board suspends the host's commands."""
         return len(self._out) >= MAX_UNREAD
 
-    def accepts(self, data: bytes | bytearray) -> bool:
+    def accepts(self, data: bytes | bytearray, by_line: bool = False) -> bool:
         """True if the port would accept at least the first of a host's characters."""
-        return not self.busy or ESC in data
+        return not self.busy or ESC in data or (by_line and self._at_once(data) > 0)
 
-    def drop_abandoned(self, data: bytearray) -> None:
-        """Remove what a busy board has not accepted and a following ESC abandons."""
+    def next_piece(self, data: bytearray, by_line: bool) -> tuple[bytes, bool]:
+        """Return what is fed next of `data`, and True if it is a line that the board has waited for.
+
+        What a busy board has not accepted, and a following ESC abandons, is removed.
+        """
         if self.busy and ESC in data:
             del data[: data.rindex(ESC)]
+        if by_line and not self.busy:
+            return self._next_entry(data)
+        return bytes(data[: self._at_once(data)] if by_line else data), False
 
-    def at_once(self, data: bytes | bytearray) -> bytes:
-        """Return the characters at the start of `data` that a busy port accepts.
+    def _at_once(self, data: bytes | bytearray) -> int:
+        """Return how many characters at the start of `data` a busy port accepts.
 
         While single-stepping, this is one key; if not, it is control characters and blanks.
         """
         if self.task.stepping or data[0] == ESC:
-            return bytes(data[:1])
-        count = 0
-        while count < len(data) and data[count] in AT_ONCE:
-            count += 1
-        return bytes(data[:count])
+            return 1
+        return next((k for k, code in enumerate(data) if code not in AT_ONCE), len(data))
 
-    def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
+    def _next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
         """Return the first line of `data` and True, or an incomplete line and False."""
         for k, code in enumerate(data):
             if code in (CR, LF):

@@ -63,22 +63,14 @@ class MintPort:
 
     # --------------------------------------------------------------------------------------- for the server
 
-    def accepts(self, data: bytes | bytearray) -> bool:
+    def accepts(self, data: bytes | bytearray, by_line: bool = False) -> bool:
         """Return True, because the line accepts every character at any time."""
         return True
 
-    def drop_abandoned(self, data: bytearray) -> None:
-        """Do nothing: all of `data` stays, because Ctrl-E is processed in sequence."""
-
-    def at_once(self, data: bytes | bytearray) -> bytes:
-        """Return the characters that can be fed while a line runs, which are all."""
-        return bytes(data)
-
-    def next_entry(self, data: bytes | bytearray) -> tuple[bytes, bool]:
-        """Return the first line, frame or key of `data`, and True if it is complete.
-
-        If it is incomplete, return its beginning and False.
-        """
+    def next_piece(self, data: bytearray, by_line: bool) -> tuple[bytes, bool]:
+        """Return what is fed next of `data`, all of it while a line runs, and True if it is a line, frame or key."""
+        if self.busy or not by_line:
+            return bytes(data), False
         if data[0] == EOT:
             end = _end_of_frame(data)
             return bytes(data[:end] if end else data), end > 0

@@ -64,7 +64,7 @@ class Host:
         """True if the board would accept more of the host's data."""
         if not self._inbox:
             return False
-        return self.port.accepts(self._inbox) or (pace.by_line and bool(self.port.at_once(self._inbox)))
+        return self.port.accepts(self._inbox, pace.by_line)
 
     @property
     def done(self) -> bool:
@@ -95,17 +95,10 @@ class Host:
 
     def feed(self, pace: ServerPace) -> None:
         """Pass the data that the board accepts: all of it, or one line in lock step."""
-        port, inbox = self.port, self._inbox
-        port.drop_abandoned(inbox)
-        if pace.by_line and port.busy:
-            piece = port.at_once(inbox)
-        elif pace.by_line:
-            piece, complete = port.next_entry(inbox)
-            if complete:
-                pace.entered()
-        else:
-            piece = bytes(inbox)
-        del inbox[: port.feed(piece)]
+        piece, is_entry = self.port.next_piece(self._inbox, pace.by_line)
+        if is_entry:
+            pace.entered()
+        del self._inbox[: self.port.feed(piece)]
 
     def forget(self) -> None:
         """Drop the data that the host has sent, and abandon its line."""

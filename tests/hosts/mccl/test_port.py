@@ -322,16 +322,16 @@ def test_the_wait_between_two_lines_has_no_line() -> None:
 def test_entries_end_with_a_carriage_return_or_a_line_feed() -> None:
     """A line feed behind a carriage return ends nothing."""
     _, port = board()
-    assert port.next_entry(b"1TP\r2TP\r") == (b"1TP\r", True)
-    assert port.next_entry(b"\n2TP\r") == (b"\n", False)
-    assert port.next_entry(b"2TP\n\n") == (b"2TP\n", True)
-    assert port.next_entry(b"\n") == (b"\n", True)
-    assert port.next_entry(b"\r") == (b"\r", True)
-    assert port.next_entry(b"1T") == (b"1T", False)
-    assert port.next_entry(b"\n") == (b"\n", True)
-    assert port.next_entry(b"") == (b"", False)
-    assert port.next_entry(b"1TP\r") == (b"1TP\r", True)
-    assert port.next_entry(b"2\nTP\r") == (b"2\n", True)
+    assert port.next_piece(bytearray(b"1TP\r2TP\r"), True) == (b"1TP\r", True)
+    assert port.next_piece(bytearray(b"\n2TP\r"), True) == (b"\n", False)
+    assert port.next_piece(bytearray(b"2TP\n\n"), True) == (b"2TP\n", True)
+    assert port.next_piece(bytearray(b"\n"), True) == (b"\n", True)
+    assert port.next_piece(bytearray(b"\r"), True) == (b"\r", True)
+    assert port.next_piece(bytearray(b"1T"), True) == (b"1T", False)
+    assert port.next_piece(bytearray(b"\n"), True) == (b"\n", True)
+    assert port.next_piece(bytearray(b""), True) == (b"", False)
+    assert port.next_piece(bytearray(b"1TP\r"), True) == (b"1TP\r", True)
+    assert port.next_piece(bytearray(b"2\nTP\r"), True) == (b"2\n", True)
 
 
 def test_what_a_busy_port_accepts() -> None:
@@ -342,23 +342,23 @@ def test_what_a_busy_port_accepts() -> None:
     console, port = board()
     assert port.accepts(b"1TP\r")
     waiting = bytearray(b"1TP\r\x1b2TP\r\x1b3TP\r")
-    port.drop_abandoned(waiting)
+    port.next_piece(waiting, True)
     assert waiting == b"1TP\r\x1b2TP\r\x1b3TP\r"
     port.feed(b"WA9\r")
     console.run(1.0)
     assert not port.accepts(b"1TP\r")
     assert port.accepts(b"1TP\r\x1b")
-    port.drop_abandoned(waiting)
+    port.next_piece(waiting, True)
     assert waiting == b"\x1b3TP\r"
     del waiting[0]
-    port.drop_abandoned(waiting)
+    port.next_piece(waiting, True)
     assert waiting == b"3TP\r"
-    assert port.at_once(b"\x02\x11\x13 1TP\r") == b"\x02\x11\x13 "
-    assert port.at_once(b"1 ") == b""
-    assert port.at_once(b"  ") == b"  "
-    assert port.at_once(b"\x1b\x1b") == b"\x1b"
+    assert port.next_piece(bytearray(b"\x02\x11\x13 1TP\r"), True) == (b"\x02\x11\x13 ", False)
+    assert port.next_piece(bytearray(b"1 "), True) == (b"", False)
+    assert port.next_piece(bytearray(b"  "), True) == (b"  ", False)
+    assert port.next_piece(bytearray(b"\x1b\x1b"), True) == (b"\x1b", False)
     port.feed(b"\x02")
-    assert port.at_once(b"xy") == b"x"
+    assert port.next_piece(bytearray(b"xy"), True) == (b"x", False)
 
 
 def test_unread_output_suspends_the_port_from_65536_characters_on() -> None:

@@ -531,17 +531,20 @@ def test_the_prompt_shows_a_position_in_whole_counts(reading: str, shown: str) -
     ],
 )
 def test_the_first_entry_at_the_prompt_is_a_line_or_ctrl_e(data: bytes, entry: tuple[bytes, bool]) -> None:
-    assert Line().port.next_entry(data) == entry
+    assert Line().port.next_piece(bytearray(data), True) == entry
 
 
 def test_a_line_feed_after_a_carriage_return_is_no_line() -> None:
     line = Line()
     line.send(b"PRINT 1\r")
-    assert [line.port.next_entry(data) for data in (b"\nX", b"A\nX")] == [(b"\n", False), (b"A\n", True)]
+    assert [line.port.next_piece(bytearray(data), True) for data in (b"\nX", b"A\nX")] == [
+        (b"\n", False),
+        (b"A\n", True),
+    ]
 
 
 def test_the_entries_of_a_program_are_keys_unless_it_asks_for_a_line() -> None:
     line = Line('Dim a\nWait = 500\nInput "? ", a')
-    assert line.port.next_entry(b"12\r") == (b"1", True)
+    assert line.port.next_piece(bytearray(b"12\r"), True) == (b"1", True)
     line.run(1.0)
-    assert line.port.next_entry(b"12\r") == (b"12\r", True)
+    assert line.port.next_piece(bytearray(b"12\r"), True) == (b"12\r", True)

@@ -145,5 +145,5 @@ def test_the_first_entry_of_what_a_host_sends_is_a_frame(data: bytes, length: in
 
     Any other control character ends a frame like ETX.
     """
-    entry = Line().port.next_entry(data)
+    entry = Line().port.next_piece(bytearray(data), True)
     assert entry == ((data[:length], True) if length else (data, False))
