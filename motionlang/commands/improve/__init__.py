@@ -346,10 +346,7 @@ class Improver:
         nearly = 0.02 * low + 0.98 * high
         if not is_enough(nearly):
             return high
-        high = nearly
-        for _ in range(STEPS):
-            middle = 0.5 * (low + high)
-            low, high = (low, middle) if is_enough(middle) else (middle, high)
+        high = _bisected(nearly, low, is_enough)
         round_ = _roundest(high, 1.02 * high)
         return round_ if is_enough(round_) else high
 
@@ -378,10 +375,7 @@ class Improver:
                 del values[address]
                 found.remove(edit)
                 continue
-            low, high = edit.literal.value, edit.value
-            for _ in range(STEPS):
-                middle = 0.5 * (low + high)
-                low, high = (low, middle) if is_enough(middle) else (middle, high)
+            high = _bisected(edit.value, edit.literal.value, is_enough)
             round_ = _roundest(high, edit.value)
             values[address] = edit.value = round_ if is_enough(round_) else high
         return found
@@ -396,9 +390,8 @@ class Improver:
         low, high = 1.0, 2.0
         while high <= MAX_FACTOR and is_allowed(high):
             low, high = high, 2.0 * high
-        for _ in range(STEPS if high <= MAX_FACTOR else 0):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if is_allowed(middle) else (low, middle)
+        if high <= MAX_FACTOR:
+            low = _bisected(low, high, is_allowed)
         return _rounded(literal.value * low, True) if low > 1.0 else literal.value
 
     def _proven(self, edits: Sequence[Edit]) -> list[Edit]:
@@ -629,13 +622,11 @@ class Improver:
             return best, None, f"{SATED} (bounded by {bound})" if is_free and bound != SATED else bound
         if bound in (SATED, UNTRIED):
             # It may be more than enough.
-            for _ in range(STEPS):
-                middle = 0.5 * (slower + low)
-                made, reason = judged(middle)
-                if not reason and made <= cost * (1.0 + ENOUGH):
-                    low = middle
-                else:
-                    slower = middle
+            def is_enough(factor: float) -> bool:
+                made, reason = judged(factor)
+                return not reason and made <= cost * (1.0 + ENOUGH)
+
+            low = _bisected(low, slower, is_enough)
             high = 1.02 * low
         value, beyond = (was * each if grows else was / each for each in (low, high))
         round_ = _roundest(value, beyond)
@@ -745,6 +736,14 @@ def improver_of(program: str | Source, machine: Mapping[str, object] | None = No
     expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
     worlds = [ExpectedWorld(each.name, each.settings, each.expected) for each in others]
     return Improver(source, dialect_for(source, None), ExpectedWorld("", settings, expected), worlds, **given)
+
+
+def _bisected(good: float, bad: float, is_good: Callable[[float], bool]) -> float:
+    """Return the good value that is nearest to a bad one."""
+    for _ in range(STEPS):
+        middle = 0.5 * (good + bad)
+        good, bad = (middle, bad) if is_good(middle) else (good, middle)
+    return good
 
 
 def _limit_text(limit: CertifiedLimit) -> str:
