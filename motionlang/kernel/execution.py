@@ -141,7 +141,7 @@ def run(
     if nv is not None and made is not None and not open_nonvolatile(result, nv):
         made = None
     if made is not None:
-        _perform(result, made, until, pace, outside, begun, keep_crash)
+        _perform(result, made, until, pace=pace, outside=outside, begun=begun, keep_crash=keep_crash)
         result.notes += made.places.notes
     _finish(result, settings)
     return result
@@ -153,7 +153,7 @@ def run_on(
     """Continue a run from the state of its machine, which may have been put back; return another result."""
     result = Run(source, language, machine)
     result.program = program
-    _perform(result, program, until, None, None, None, False)
+    _perform(result, program, until)
     _finish(result, machine.settings)
     return result
 
@@ -162,10 +162,11 @@ def _perform(
     result: Run,
     compiled: Program,
     until: float | None,
-    pace: Callable[[float], None] | None,
-    outside: Outside | None,
-    begun: Callable[[Machine], None] | None,
-    keep_crash: bool,
+    *,
+    pace: Callable[[float], None] | None = None,
+    outside: Outside | None = None,
+    begun: Callable[[Machine], None] | None = None,
+    keep_crash: bool = False,
 ) -> None:
     """Execute a compiled program and collect remarks on the run."""
     if begun is not None:

@@ -34,6 +34,7 @@ from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
 from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
+from motionlang.commands.diff.ways_page import ways_page
 from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
 from motionlang.commands.explore.playing import playing
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
@@ -44,6 +45,7 @@ from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
 from motionlang.exploration import Exploration, explore, without_world
 from motionlang.kernel import Diagnostic, ProgramError, Run, read_machine, run
+from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import build
 from motionlang.kernel.tools import count_of
@@ -240,7 +242,7 @@ examples:
             is_recording(each) or each.lower().endswith(".json") for each in (self.a, other)
         ):
             raise WrongOption("--explore needs two programs")
-        for name in ("scenarios", "keep", "plot", "tolerance", "until", "map", "delay"):
+        for name in ("scenarios", "keep", "tolerance", "until", "map", "delay"):
             if getattr(self, name):
                 raise WrongOption(f"--{name} and --explore exclude each other")
         a = self._explored("a", self.a, {})
@@ -251,7 +253,9 @@ examples:
         self.show(
             ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_ROWS)
         )
-        status = 0 if found.same else 1
+        status, page = 0 if found.same else 1, self.plot
+        if page is not None:
+            status = max(status, written(page, lambda: _write_page(page, ways_page(found, names))))
         if self.write_scenarios is not None:
             status = max(status, self._write(found, names, self.write_scenarios))
         return status
@@ -372,6 +376,11 @@ def _report(path: str) -> Side:
         is_json = not isinstance(error, json.JSONDecodeError | RecursionError)
         why = "cannot be compared with" if is_json else "is not JSON"
         raise Refused([Diagnostic("file", f"{path} {why}: {error}")], file=path) from None
+
+
+def _write_page(path: str, text: str) -> None:
+    with replacing(path) as file:
+        file.write(text.encode())
 
 
 def _lines(

@@ -11,8 +11,8 @@ from motionlang.commands.map.channels import Channel, channels, only_named, orde
 from motionlang.commands.map.comments import Named, comments_of, named, without_marks
 from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import MapVariable, UnitMap, units, variables
-from motionlang.exploration import explore, without_world
-from motionlang.kernel import Dialect, Program, Source, dialect_for, settings_next_to
+from motionlang.exploration import Exploration, explore, without_world
+from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure
 
 # A comment at the end of a line is a name if it is no longer than this.
@@ -80,11 +80,14 @@ def map_of_machine(
     program = language.program(source, kept, is_debug=True)
     program = program.with_values(overrides) if overrides else program
     program.require()
-    made = program_map(program, language)
-    found = explore(program, kept, progress=progress, keeps=keeps)
-    made.behaviour = behaviour_of(
-        found, made.structure, ReaderNames(made.channels, made.axes), made.unreached
-    )
+    return map_of_exploration(explore(program, kept, progress=progress, keeps=keeps))
+
+
+def map_of_exploration(exploration: Exploration) -> ProgramMap:
+    """Return the map of a program that was explored."""
+    made = program_map(exploration.program, dialect(exploration.program.language))
+    names = ReaderNames(made.channels, made.axes)
+    made.behaviour = behaviour_of(exploration, made.structure, names, made.unreached)
     return made
 
 

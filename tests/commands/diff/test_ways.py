@@ -95,3 +95,17 @@ def test_what_another_terminal_shows_is_compared(cell: Cell) -> None:
     assert (
         "start; input 0 (part) on: A '[terminal 2] PART 1' after 0.00 s, B '[terminal 2] PART 2'" in ran.out
     )
+
+
+def test_the_page_marks_what_only_one_program_does(cell: Cell) -> None:
+    text = "REM IN 0 part\n#WAIT\nPAUSE INX.0\nOUTX.1 = 1\nPAUSE INX.0 = 0\nOUTX.1 = 0\nGOTO WAIT\n"
+    cell.write("old.prg", text)
+    cell.write("new.prg", text.replace("OUTX.1 = 1\n", "OUTX.2 = 1\n\n"))
+    assert cell("diff", "old.prg", "new.prg", "--explore", "--plot", "both.html").status == 1
+    page = (cell.folder / "both.html").read_text(encoding="utf-8")
+    a, b = page.split("<h2>A: old.prg</h2>")[1].split("<h2>B: new.prg</h2>")
+    for side, output, letter in ((a, 1, "A"), (b, 2, "B")):
+        assert f"<td>output {output} on</td><td>5</td><td class=only>only in {letter}</td>" in side.replace(
+            "<td>6</td>", "<td>5</td>"
+        )
+        assert "<td>input 0 (part) off</td>" in side
