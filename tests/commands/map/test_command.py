@@ -247,6 +247,18 @@ def test_a_line_with_the_states_and_ways_in_which_it_runs(program: Cell) -> None
     assert "--line and --no-run exclude each other" in program("map", "a.mnt", "--line", "4", "--no-run").err
 
 
+def test_numbers_of_a_host_with_the_states_in_which_they_are_written_and_read(cell: Cell) -> None:
+    cell.write(
+        "a.mnt",
+        "Loop\n  Pause COMMS(1) = 7\n  COMMS(2) = 1\n  MOVER(0) = 20 : GO(0) : Pause IDLE(0)\n"
+        "  Pause INX(3)\n  COMMS(2) = 0\n  Pause INX(3) = 0\nEnd Loop\n",
+    )
+    shown = [" ".join(line.split()) for line in cell("map", "a.mnt").out.splitlines()]
+    begin = shown.index("Numbers of a host")
+    assert shown[begin + 1] == "channel written what in read in"
+    assert shown[begin + 3 : begin + 5] == ["comms element 1 2 3 states", "comms element 2 3, 6 1, 0 3 states"]
+
+
 def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None:
     """Both keys lead to the same wait, which goes on as the key was."""
     cell.write(

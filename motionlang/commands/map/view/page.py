@@ -46,6 +46,8 @@ def page(made: ProgramMap, timing: str = "") -> str:
         body += _table(tables.transitions(behaviour))
         body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(behaviour))]
         body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(behaviour))]
+        host = tables.host_numbers(made, behaviour)
+        body += [f'<h2 id="host">{host.head}</h2>', *_table(host)] if host.rows else []
         links = [("cycle", "Cycle"), ("cautions", "Cautions"), ("states", "States"), ("handlers", "Handlers")]
     for table in tables.of_text(made):
         body += [f'<h2 id="{table.name}">{escape(table.head)}</h2>', *_table(table)]

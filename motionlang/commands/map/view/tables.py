@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
 from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour, StateRow, TransitionRow, UnreachedRow
-from motionlang.commands.map.channels import DEVICES, polled
+from motionlang.commands.map.channels import DEVICES, Channel, polled
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.kernel.lang import KINDS, READ, Statement, Unit
 from motionlang.kernel.tools import ranges
 from motionlang.views.table import Column, Table
+
+# The kinds of channels in which a host and a program leave numbers for each other.
+HOST = frozenset(("comms element", "network data", "dual-port RAM", "Modbus coil", "Modbus register"))
+# More states than this that write or read a number of a host are only counted in a text.
+MAX_STATES = 2
+
+
+@dataclass(eq=False, slots=True)
+class HostRow:
+    """A number of a host: the lines that write and read it, what is written, and the states in which these run."""
+
+    channel: Channel
+    written_in: list[str]
+    read_in: list[str]
 
 
 @dataclass(eq=False, slots=True)
@@ -32,6 +46,7 @@ def tables(made: ProgramMap) -> list[Table]:
     if made.behaviour is not None:
         found += [cycle(made.behaviour), states(made.behaviour), transitions(made.behaviour)]
         found += [choices(made.behaviour), handlers(made.behaviour), cautions(made.behaviour)]
+        found.append(host_numbers(made, made.behaviour))
     return found
 
 
@@ -176,6 +191,46 @@ def handlers(behaviour: MachineBehaviour) -> Table:
         Column("then", text="; ".join, left=True),
     ]
     return Table("handlers", columns, behaviour.handlers, empty="no handler was started", head="Handlers")
+
+
+def host_numbers(made: ProgramMap, behaviour: MachineBehaviour) -> Table:
+    """Return the table of the numbers that a host and the program leave for each other."""
+    known = [each for each in made.channels if each.kind in HOST]
+    rows = [
+        HostRow(each, _states_of(behaviour, each.writes), _states_of(behaviour, [*each.reads, *each.waits]))
+        for each in known
+    ]
+    columns = [
+        Column("channel", get=lambda row: row.channel.known_as, left=True),
+        Column("writes", "written", get=lambda row: row.channel.writes, text=ranges, left=True),
+        Column("values", "what", get=lambda row: row.channel.values, text=", ".join, left=True),
+        Column("written_in", "in", text=_first_states, left=True),
+        Column(
+            "reads",
+            "read",
+            get=lambda row: sorted({*row.channel.reads, *row.channel.waits}),
+            text=ranges,
+            left=True,
+        ),
+        Column("read_in", "in", text=_first_states, left=True),
+    ]
+    return Table(
+        "host_numbers", columns, rows, empty="no numbers of a host", head="Numbers of a host", folds=True
+    )
+
+
+def _states_of(behaviour: MachineBehaviour, lines: Sequence[int]) -> list[str]:
+    """Return the states that wait in some lines, or behind which these run."""
+    at = set(lines)
+    return [
+        each.name
+        for each in behaviour.states
+        if at & each.lines or any(at & way.lines for way in each.transitions)
+    ]
+
+
+def _first_states(names: Sequence[str]) -> str:
+    return "; ".join(names) if len(names) <= MAX_STATES else f"{len(names)} states"
 
 
 def choices(behaviour: MachineBehaviour) -> Table:

@@ -65,6 +65,8 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
         for each in handlers:
             found += _handler(each, width)
         found += [f"  … {left} more: --all shows them"] if left else []
+        host = tables.host_numbers(made, made.behaviour)
+        found += ["", *host.lines(width, colour=colour)] if host.rows else []
     for table in tables.of_text(made):
         found += ["", *table.lines(width, colour=colour)]
     return "\n".join(found) + "\n"
@@ -220,7 +222,7 @@ def markdown(made: ProgramMap) -> str:
             ["", *(f"Unless said otherwise, {each}" for each in behaviour.usual)] if behaviour.usual else []
         )
         more = (tables.transitions, tables.choices, tables.handlers, tables.cautions)
-        for table in (each(behaviour) for each in more):
+        for table in (*(each(behaviour) for each in more), tables.host_numbers(made, behaviour)):
             found += ["", f"### {table.head}", "", *(table.markdown() if table.rows else [table.empty])]
     for table in tables.of_text(made):
         found += ["", f"## {table.head}", "", *(table.markdown() if table.rows else [table.empty])]
