@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel import Axis
 from motionlang.kernel.controller import Clock, readers
-from motionlang.kernel.controller.listeners import Listeners
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER
 from motionlang.kernel.controller.settings import SETTINGS
+from motionlang.kernel.controller.state import Listeners
 from motionlang.kernel.controller.triggers.limit import Limit
 from tests.operations import OPERATIONS
 

@@ -9,7 +9,7 @@ from types import FrameType
 from typing import Any
 
 import motionlang
-from motionlang.commands.check.steps_view import render_steps
+from motionlang.commands.check.listing import render_steps
 from motionlang.kernel.execution import run
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler

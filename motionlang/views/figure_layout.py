@@ -12,7 +12,6 @@ from itertools import groupby, pairwise
 from math import atan2, ceil, cos, floor, fsum, log10, pi, sin
 
 from motionlang.views.figure import AXIS, FAINT, INK, Curve, Figure, Panel
-from motionlang.views.spans import visible
 
 Point = tuple[float, float]
 Limits = tuple[float, float]
@@ -411,3 +410,35 @@ def _head_of(tail: Point, tip: Point) -> list[Point]:
     angle = atan2(tip[1] - tail[1], tip[0] - tail[0])
     ends = [(tip[0] - 7.0 * cos(angle + turn), tip[1] - 7.0 * sin(angle + turn)) for turn in (-0.4, 0.4)]
     return [tip, *ends]
+
+
+# Begin and end.
+Span = tuple[float, float]
+
+
+def visible(spans: Iterable[Span], window: Span, pixel: float) -> list[Span]:
+    """Return the `spans` in the `window`, in order, each at least `pixel` long.
+
+    A gap shorter than a pixel is widened at the cost of the span before it, or of the span after it if that is
+    too short. If both are too short, overlapping spans are merged. `visibleSpans` of the scope page does the same.
+    """
+    first, last = window
+    made: list[Span] = []
+    for start, stop in spans:
+        if stop < first or start > last:
+            continue
+        begin, end = max(start, first), min(stop, last)
+        if end - begin < pixel:
+            begin = min(begin, last - pixel)
+            end = begin + pixel
+        if made and begin - made[-1][1] < pixel:
+            previous, gap = made[-1]
+            if begin - previous >= 2.0 * pixel:
+                made[-1] = previous, begin - pixel
+            elif end - gap >= 2.0 * pixel:
+                begin = gap + pixel
+            elif begin <= gap:
+                made[-1] = previous, max(gap, end)
+                continue
+        made.append((begin, end))
+    return made

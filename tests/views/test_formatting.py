@@ -7,9 +7,9 @@ import pytest
 from motionlang.kernel import Controller
 from motionlang.kernel.tools import count_of
 from motionlang.views.device_writes import MAX_ROWS, writes_table
+from motionlang.views.figure_layout import visible
 from motionlang.views.formatting import clock_time, dialect_name, figure, peak_of, significant
 from motionlang.views.lanes import ChannelLane, lanes
-from motionlang.views.spans import visible
 from motionlang.views.window import WHOLE, Window
 
 

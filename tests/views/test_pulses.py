@@ -20,8 +20,7 @@ from motionlang.commands.plot.view import run_figure
 from motionlang.commands.scope import page
 from motionlang.kernel import Run, Source, run
 from motionlang.views.figure_files import svg
-from motionlang.views.figure_layout import ON
-from motionlang.views.spans import Span, visible
+from motionlang.views.figure_layout import ON, Span, visible
 from motionlang.views.window import WHOLE, Window
 from tests.commands.test_scope import data_of
 

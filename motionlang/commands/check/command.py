@@ -15,8 +15,7 @@ from motionlang.cli.program_files import PATHS, programs
 from motionlang.commands.check import check as check_program
 from motionlang.commands.check.findings import Found, written
 from motionlang.commands.check.fix import Fixed, Unfixable, fix
-from motionlang.commands.check.steps_view import render_steps, steps_table
-from motionlang.commands.check.tree_view import render_tree
+from motionlang.commands.check.listing import render_steps, render_tree, steps_table
 from motionlang.kernel import (
     DEFAULT_AXES,
     STDIN,

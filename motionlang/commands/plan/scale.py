@@ -6,11 +6,11 @@ The mechanics are encoder, gear and screw, or a linear scale.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import isfinite
 from typing import ClassVar
 
 from motionlang.cli.command import Command, WrongOption, flag, option
 from motionlang.cli.readers import integer, number
-from motionlang.commands.plan.counts import linear_scale, rotary_scale
 
 MIN_VALUE, MAX_VALUE = 1e-6, 1e12
 
@@ -68,3 +68,29 @@ class ScaleOptions(Command):
         factor = f" · {gear:.10g}" if gear != 1.0 else ""
         how = f"{lines:.10g} lines · {quadrature}{factor} / {per_turn:.10g}"
         return rotary_scale(lines, per_turn, gear, quadrature), how
+
+
+def rotary_scale(lines: float, per_turn: float, gear: float = 1.0, quadrature: int = 4) -> float:
+    """Return the counts per unit of a rotary encoder with `lines` lines.
+
+    The motor makes `gear` revolutions for `per_turn` units.
+    """
+    _positive(lines=lines, per_turn=per_turn, gear=gear)
+    if quadrature not in (1, 2, 4):
+        raise ValueError(f"a line gives 1, 2 or 4 counts, not {quadrature}")
+    return lines * quadrature * gear / per_turn
+
+
+def linear_scale(resolution: float) -> float:
+    """Return the counts per unit of a linear encoder with a count every `resolution`.
+
+    Quadrature is not applied.
+    """
+    _positive(resolution=resolution)
+    return 1.0 / resolution
+
+
+def _positive(**values: float) -> None:
+    for name, value in values.items():
+        if not (isfinite(value) and value > 0.0):
+            raise ValueError(f"{name.replace('_', ' ')} must be greater than zero")

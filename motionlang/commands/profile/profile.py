@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import fsum
@@ -10,8 +11,8 @@ from operator import attrgetter
 from typing import Any
 
 from motionlang.commands.profile.critical_path import About, CriticalPath, Link, grouped
-from motionlang.commands.profile.slacks import Slack, slacks
-from motionlang.commands.profile.tasks import TaskTime, parent_of, reported, task_times
+from motionlang.commands.profile.motions import Motions
+from motionlang.commands.profile.tasks import TaskTime, Wait, parent_of, reported, task_times
 from motionlang.kernel import Run
 from motionlang.kernel.log import Waited
 from motionlang.kernel.tools import exact_terms
@@ -162,3 +163,34 @@ def _kind(link: Link) -> str:
         return link.cause
     axes = ", ".join(map(str, link.axes))
     return f"travel of axis {axes}" if len(link.axes) == 1 else f"travel of axes {axes}"
+
+
+@dataclass(eq=False, slots=True)
+class Slack:
+    """Slack: how much longer `axis` could take without delaying the cycle.
+
+    It was at rest while `other` still moved.
+    """
+
+    axis: int
+    other: int
+    seconds: float
+
+
+def slacks(motions: Motions, waits: Mapping[str, Sequence[Wait]]) -> list[Slack]:
+    """Return the slacks, the longest first, where a task waited for several axes.
+
+    The axes had begun together, and the task waited for the last one.
+    """
+    waited: set[int] = set()  # in milliseconds
+    for mine in waits.values():
+        waited.update([int(wait[3] * 1000.0) for wait in mine if wait[4] != "time"])
+    found: dict[tuple[int, int], list[float]] = defaultdict(list)
+    for moves in motions.together():
+        last = next(move for move in moves if move.end == moves[-1].end)
+        if not waited.isdisjoint((int(last.end * 1000.0), int(last.end * 1000.0) + 1)):
+            for move in moves:
+                if move is not last:
+                    found[move.axes[0], last.axes[0]].append(last.end - move.end)
+    rows = [Slack(axis, other, fsum(times)) for (axis, other), times in found.items() if any(times)]
+    return sorted(rows, key=lambda row: (-row.seconds, row.axis, row.other))

@@ -215,7 +215,7 @@ function spansOn({ times, values }, end) {
   return begin === null ? spans : [...spans, [begin, end]];
 }
 
-/** Spans of time as a picture of `first` to `last` can show them, none narrower than `pixel`: `visible` of spans.py. */
+/** Spans of time as a picture of `first` to `last` can show them, none narrower than `pixel`: `visible` of figure_layout.py. */
 function visibleSpans(spans, first, last, pixel) {
   const made = [];
   for (const [start, stop] of spans) {

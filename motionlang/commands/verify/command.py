@@ -29,10 +29,18 @@ from motionlang.commands.verify.further import (
     has_limits,
     ran,
 )
-from motionlang.commands.verify.log import verify_log
 from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel import ProgramError, Run, dialect_of, run, settings_next_to
+from motionlang.kernel import (
+    ProgramError,
+    Rejected,
+    Run,
+    Source,
+    dialect_of,
+    machine_of,
+    run,
+    settings_next_to,
+)
 from motionlang.kernel.tools import need
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.diagnostics import diagnostics_table
@@ -272,3 +280,28 @@ def _is_readable(verdict: Verdict) -> bool:
     elif dialect_of(program) is None:
         verdict.refuse([no_dialect(program)])
     return not verdict.failed
+
+
+def verify_log(path: str) -> Verdict:
+    """Replay a log on the machine of the file next to it, or of the log's model."""
+    from motionlang.hosts.mcapi.log import BadLog
+    from motionlang.hosts.mcapi.replay import call_of, replay_file
+
+    verdict = Verdict(path, "log")
+    try:
+        replay = replay_file(path, settings_next_to(path))
+    except BadLog as problem:
+        verdict.fail(f"line {problem.line}: {problem}")
+    except Rejected as rejected:
+        verdict.fail(rejected.message)
+    except OSError as error:
+        verdict.refuse([unreadable(str(error.filename or path), error)])
+    except ProgramError as error:
+        machine = machine_of(path)
+        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
+    else:
+        if replay.first is not None:
+            first = replay.first
+            where = f"{os.path.basename(path)}:{first.entry.line}"
+            verdict.report([f"{where}: {call_of(first.entry)}: {first.text}", replay.summary])
+    return verdict

@@ -13,12 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from traceback import walk_tb
+from typing import TypeAlias
 
 from motionlang.hosts.console import HostConsole
-from motionlang.hosts.mccl.download import Complain, Download, Write
 from motionlang.hosts.mccl.port import BoardPort, HostWait, Port
-from motionlang.kernel import INFINITY, Machine, Rejected, Scheduler, Source, Stuck, Task, Wait
-from motionlang.kernel.mccl import Board, CommandTask, codes
+from motionlang.kernel import INFINITY, Diagnostic, Machine, Rejected, Scheduler, Source, Stuck, Task, Wait
+from motionlang.kernel.mccl import Board, CommandTask, FileTask, MacroFile, codes, locate
 
 
 class Console(HostConsole[BoardPort]):
@@ -157,3 +157,33 @@ class _Gate(Task):
 
     def resume(self, now: float, horizon: float) -> tuple[float, Wait | None]:
         raise AssertionError("the gate never runs")
+
+
+Write: TypeAlias = Callable[[str], None]
+Complain: TypeAlias = Callable[[Diagnostic], None]
+
+
+class Download(FileTask):
+    """The task of a file sent to a board with hosts: its lines run one by one, and the replies go to the sender.
+
+    `complain` is called for every rejected command, with its position in the file.
+    """
+
+    def __init__(self, source: Source, board: Board, write: Write, complain: Complain) -> None:
+        others = list(board.tasks)
+        super().__init__(MacroFile(source), board)
+        board.tasks = [*others, self]
+        self._source, self._complain = source, complain
+        self.write = write
+        board.complain = self._record_complaint
+
+    def _record_complaint(self, diagnostic: Diagnostic, task: CommandTask) -> None:
+        if task is self:
+            diagnostic.line, diagnostic.column, diagnostic.length = locate(self._source, self.at)
+            self._complain(diagnostic)
+
+    def rest(self) -> Wait | None:
+        """End the download; background tasks that the file has started continue."""
+        self.board.complain = None
+        self.board.ended(self)
+        return None

@@ -34,11 +34,10 @@ from __future__ import annotations
 
 from math import copysign, fsum, inf, nextafter
 
-from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.jerk_limited import Head, JerkLimited
+from motionlang.kernel.planners.curve import Profile, relabelled
 from motionlang.kernel.planners.limits import LARGEST, STILL, check_finite, check_rates, too_large
 from motionlang.kernel.planners.pieces import position_in
-from motionlang.kernel.planners.ramps import Recipe, ramp_distance
+from motionlang.kernel.planners.ramps import Curve, Recipe, ramp_distance
 from motionlang.kernel.planners.segment_speed import between
 from motionlang.kernel.planners.shapes import JerkRamps, Ramps, ramps_of
 from motionlang.kernel.planners.transition import (
@@ -47,6 +46,7 @@ from motionlang.kernel.planners.transition import (
     ease,
     eased_speed,
     initial_steps,
+    profile_of_steps,
 )
 from motionlang.kernel.tools import total
 
@@ -305,3 +305,48 @@ def _is_astray(made: Profile) -> bool:
         return False
     reached = position_in(made.pieces[-1], made.knots[-1] - made.knots[-2])
     return not abs(reached - made.end) <= 1e-7 * max(map(abs, made.extrema()))
+
+
+# Velocity and acceleration in the direction of the motion, the sections, and that direction.
+Head = tuple[float, float, Steps, float]
+
+
+class JerkLimited(Profile):
+    """Sections of constant jerk from v0 and a0, then the ramps of a recipe to `end`.
+
+    The pieces are computed on first use, like those of a recipe, because most plans are only read for their end.
+    `name` makes the sections one phase of that name if they are not part of a ramp.
+    """
+
+    __slots__ = ("_head", "_name", "_tail")
+
+    def __init__(
+        self, start: float, end: float, duration: float, head: Head, tail: Recipe, name: str = ""
+    ) -> None:
+        # What `Profile.__init__` assigns, since a running program plans in motion.
+        self.shape = "scurve"
+        self.start = start
+        self.end = end
+        self.duration = duration
+        self._recipe = (head[0] * head[3], tail[-1])
+        self._head = head
+        self._tail = tail
+        self._name = name
+
+    @property
+    def curve(self) -> Curve:
+        """Knots, pieces and phase marks."""
+        try:
+            return self._curve
+        except AttributeError:
+            v0, a0, steps, sign = self._head
+            head = profile_of_steps(self.start, v0, a0, steps, sign * self._tail[0], sign)
+            if self._name:
+                head = relabelled(head, "scurve", self._name)
+            time = total(self._tail[1::3])
+            rest = Profile("scurve", head.end, self.end, time, self._tail) if time else None
+            knots, pieces, marks = (head if rest is None else head.then(rest)).curve
+            if len(knots) > 1 and self.duration > knots[-2]:
+                knots = (*knots[:-1], self.duration)
+            self._curve = knots, pieces, marks
+            return self._curve

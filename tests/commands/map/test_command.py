@@ -256,7 +256,10 @@ def test_numbers_of_a_host_with_the_states_in_which_they_are_written_and_read(ce
     shown = [" ".join(line.split()) for line in cell("map", "a.mnt").out.splitlines()]
     begin = shown.index("Numbers of a host")
     assert shown[begin + 1] == "channel written what in read in"
-    assert shown[begin + 3 : begin + 5] == ["comms element 1 2 3 states", "comms element 2 3, 6 1, 0 3 states"]
+    assert shown[begin + 3 : begin + 5] == [
+        "comms element 1 2 3 states",
+        "comms element 2 3, 6 1, 0 3 states",
+    ]
 
 
 def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None:

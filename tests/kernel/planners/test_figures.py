@@ -7,8 +7,8 @@ from math import inf, nan, pi
 
 import pytest
 
-from motionlang.commands.plan.counts import linear_scale, rotary_scale
 from motionlang.commands.plan.reach import needed_distance, remedies, triangle
+from motionlang.commands.plan.scale import linear_scale, rotary_scale
 from motionlang.commands.plan.solve import solve_move
 from motionlang.kernel.planners import (
     Profile,

@@ -8,10 +8,9 @@ from math import sqrt
 import pytest
 
 from motionlang.kernel.planners import Profile, shapes
-from motionlang.kernel.planners.jerk_limited import JerkLimited
 from motionlang.kernel.planners.limits import LARGEST
 from motionlang.kernel.planners.shapes import JerkRamps, peak_speed, ramp_to
-from motionlang.kernel.planners.target import approach
+from motionlang.kernel.planners.target import JerkLimited, approach
 from motionlang.kernel.planners.transition import ease
 from tests.kernel.planners.cases import plan_jerk
 

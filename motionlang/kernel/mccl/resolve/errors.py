@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
@@ -15,7 +16,6 @@ from motionlang.kernel.mccl.keywords.row import takes_number
 from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
 from motionlang.kernel.mccl.resolve.command import REGISTER, Command
 from motionlang.kernel.mccl.resolve.decode import problem
-from motionlang.kernel.mccl.resolve.flow import Flow, flow_of
 from motionlang.kernel.mccl.resolve.line import Line, locate
 from motionlang.kernel.mccl.syntax.parser import mistake
 from motionlang.kernel.source import Source
@@ -200,3 +200,39 @@ def _jump(line: Line, k: int, function: str, number: int, flow: Flow) -> Fault |
         return None
     hint = f"they are numbered {flow.base} to {flow.base + last}"
     return Fault(codes.PARAMETER, f"there is no command {flow.base + target} here", hint, "range")
+
+
+_PREFIX = "assumptions.mccl."
+
+
+@dataclass(eq=False, slots=True)
+class Flow:
+    """The settled assumptions on flow.
+
+    Commands count from `base`, JR from `after` commands behind itself. A condition governs `skipped` commands. RP
+    without a number repeats for ever if `endless`.
+    """
+
+    base: int
+    after: int
+    skipped: int
+    endless: bool
+
+    def target(self, function: str, number: int, here: int) -> int:
+        """Return the command, from 0, to which JP or JR jumps if it is command `here`."""
+        return number - self.base if function == "jump" else here + number + self.after
+
+
+def flow_of(settings: Mapping[str, object]) -> Flow:
+    """Return the flow of a board with these settings."""
+    return Flow(
+        _number(settings, "jump-base", 0),
+        int(settings.get(f"{_PREFIX}jump-relative") == "next"),
+        _number(settings, "skipped", 2),
+        settings.get(f"{_PREFIX}repeat-for-ever") != "once",
+    )
+
+
+def _number(settings: Mapping[str, object], name: str, usual: int) -> int:
+    value = settings.get(_PREFIX + name, usual)
+    return value if isinstance(value, int) else usual
