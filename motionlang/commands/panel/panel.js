@@ -7,6 +7,8 @@ const SPEEDS = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const SPAN = 20; // seconds of the chart
 const MAX_ROWS = 2000; // rows of the terminal that stay
 const REPEAT = 80; // ms between two presses of a key that is held, which lasts 100 ms
+const PATIENCE = 1000; // ms until a page says that it has no answer
+const NO_ANSWER = "no answer yet: motionlang panel is busy, or too many pages of it are open";
 const find = (id) => document.getElementById(id);
 
 let contents = null; // of the program
@@ -18,9 +20,23 @@ let samples = []; // [time, position, …] of the axes
 let marked = []; // the lines that are marked in the program
 let shownLine = 0;
 
-async function send(request) {
+// Requests are sent one after another, since those of one browser may overtake each other.
+let sent = Promise.resolve();
+let unanswered = 0;
+
+function send(request) {
+  unanswered += 1;
+  const late = setTimeout(() => say(NO_ANSWER), PATIENCE);
+  sent = sent.then(() => post(request)).finally(() => {
+    unanswered -= 1;
+    clearTimeout(late);
+    if (find("notice").textContent === NO_ANSWER) say("");
+  });
+}
+
+async function post(request) {
   try {
-    const answer = await fetch("act", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(request) });
+    const answer = await fetch("act", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(request), keepalive: true });
     if (!answer.ok) say((await answer.json()).error);
   } catch {
     say("motionlang panel does not answer: see whether it still runs");
@@ -108,39 +124,60 @@ function print(text) {
 const name = (row) => (row.name ? `${row.title} ${row.name}` : row.title);
 const key = (row) => `${row.table} ${row.number}`;
 
-function change(row, value, more = {}) {
-  send({ do: "change", table: row.table, number: row.number, value, ...more });
+function change(row, value) {
+  send({ do: "change", table: row.table, number: row.number, value });
 }
 
 function level(row) {
   return Number(state?.inputs[row.number] ?? 0);
 }
 
+// The level that stays when no hand presses the input any more.
+const latched = (row) => (state?.pressed.includes(row.number) ? 0 : level(row));
+
 function toggle(label, row) {
   const made = element("button", label, { role: "switch", "aria-checked": "false", "aria-label": `${name(row)}${label === "hold" ? ", hold" : ""}` });
-  made.addEventListener("click", () => change(row, level(row) ? 0 : 1));
+  made.addEventListener("click", () => change(row, latched(row) ? 0 : 1));
   return made;
 }
 
-const release = (row, more = {}) => send({ do: "change", table: "release", number: row.number, ...more });
+const release = (row) => send({ do: "change", table: "release", number: row.number });
 
-// A button that is on as long as it is pressed, by pointer or keyboard; then the machine file drives it again.
+// What this page presses: the number of each input, with the pointers and the key that are on its button. A message has
+// all of it and is numbered, so none is needed but the last; it is repeated, and a page that is gone presses nothing.
+const page = crypto.randomUUID();
+const hands = new Map();
+let messages = 0;
+
+const pressed = () => ({ do: "press", page, message: ++messages, numbers: [...hands.keys()] });
+
+function lay(number, hand) {
+  const isDown = hands.has(number);
+  hands.set(number, (hands.get(number) ?? new Set()).add(hand));
+  if (!isDown) send(pressed());
+}
+
+function lift(number, hand) {
+  if (!hands.get(number)?.delete(hand) || hands.get(number).size) return;
+  hands.delete(number);
+  send(pressed());
+}
+
+// Release all at once, also while the page goes: this message does not wait for those before it.
+function liftAll() {
+  if (!hands.size) return;
+  hands.clear();
+  post(pressed());
+}
+
+// A button that is on as long as it is pressed, by pointers or a key.
 function push(row) {
-  const made = element("button", name(row), { "aria-pressed": "false", title: "on as long as it is pressed" });
-  let isDown = false;
-  const set = (value) => {
-    if (value === isDown) return;
-    isDown = value;
-    if (value) change(row, 1);
-    else if (row.driven) release(row, { button_up: true });
-    else change(row, 0, { button_up: true });
-  };
-  made.addEventListener("pointerdown", (event) => event.button === 0 && (set(true), made.setPointerCapture(event.pointerId)));
-  for (const end of ["pointerup", "pointercancel", "lostpointercapture", "blur"]) made.addEventListener(end, () => set(false));
+  const made = element("button", name(row), { class: "push", "aria-pressed": "false", title: "on as long as it is pressed" });
+  made.addEventListener("pointerdown", (event) => event.button === 0 && (made.setPointerCapture(event.pointerId), lay(row.number, event.pointerId)));
   made.addEventListener("keydown", (event) => {
-    if (event.key === " " || event.key === "Enter") (event.preventDefault(), event.repeat || set(true));
+    if (event.key === " " || event.key === "Enter") (event.preventDefault(), event.repeat || lay(row.number, "key"));
   });
-  made.addEventListener("keyup", (event) => (event.key === " " || event.key === "Enter") && set(false));
+  for (const end of ["keyup", "blur"]) made.addEventListener(end, () => lift(row.number, "key"));
   made.addEventListener("contextmenu", (event) => event.preventDefault());
   return made;
 }
@@ -163,7 +200,7 @@ function digital(row) {
       const isOn = String(Boolean(level(row)));
       if (main.getAttribute("role") === "switch") main.setAttribute("aria-checked", isOn);
       else main.setAttribute("aria-pressed", isOn);
-      hold?.setAttribute("aria-checked", isOn);
+      hold?.setAttribute("aria-checked", String(Boolean(latched(row))));
       const isHeld = state.held.includes(row.number);
       words.textContent = isHeld ? "by hand" : (row.driven ?? "");
       free.hidden = !isHeld;
@@ -373,6 +410,7 @@ function build() {
   document.title = `${contents.file} · panel`;
   find("file").textContent = contents.file;
   views = new Map();
+  liftAll();
   find("inputs").replaceChildren();
   contents.inputs.forEach(add);
   axisViews = contents.axes.map(axis);
@@ -494,8 +532,11 @@ function listen() {
   find("terminal").addEventListener("keydown", typed);
   document.addEventListener("keydown", (event) => event.target === document.body && typed(event));
   document.addEventListener("keyup", released);
-  window.addEventListener("blur", released);
-  const events = new EventSource("events");
+  for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, (event) => [...hands.keys()].forEach((number) => lift(number, event.pointerId)));
+  document.addEventListener("visibilitychange", () => document.hidden && liftAll());
+  for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => (released(), liftAll()));
+  setInterval(() => hands.size && !unanswered && send(pressed()), PATIENCE / 2);
+  const events = new EventSource(`events?page=${page}`);
   events.addEventListener("message", (event) => show(JSON.parse(event.data)));
   events.addEventListener("error", () => {
     put(find("mode"), "not connected");

@@ -58,6 +58,12 @@ class Abandoned(BaseException):
     """Raised in the thread of a run that is no longer needed."""
 
 
+class Press(Change):
+    """A change of an input by a hand that is on its button."""
+
+    __slots__ = ()
+
+
 @dataclass
 class PlayRecord:
     """The actions of a person: changes with their times, in order, and answers with the time of their question."""
@@ -71,6 +77,16 @@ class PlayRecord:
             [each for each in self.changes if each[0] <= time],
             [each for each in self.answers if each[0] <= time],
         )
+
+    @property
+    def last(self) -> dict[int, Change]:
+        """The last change of each input."""
+        return {each.number: each for _, each in self.changes if each.table in ("input", RELEASE)}
+
+    @property
+    def pressed(self) -> set[int]:
+        """The inputs that hands press."""
+        return {number for number, each in self.last.items() if isinstance(each, Press) and each.value}
 
     def __len__(self) -> int:
         return len(self.changes) + len(self.answers)
@@ -215,6 +231,18 @@ class Play:
             self._make_until(inf)
         elif self.now >= self.until and not self._is_between:
             self._make_until(self.now)
+
+    def press(self, number: int, *, is_down: bool) -> None:
+        """Press a button or let it come up; one that is latched stays on.
+
+        The machine file then drives again what it drove before.
+        """
+        last = self.record.last.get(number)
+        if is_down and (last is None or last.table == RELEASE or not last.value):
+            self.change(Press("input", number, 1))
+        elif not is_down and number in self.record.pressed:
+            up = Change(RELEASE, number, 0.0) if number in self.driven else Press("input", number, 0)
+            self.change(up, is_button_up=True)
 
     def reply(self, text: str) -> None:
         """Answer the question of an INPUT."""

@@ -14,6 +14,7 @@ from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from importlib.resources import files
 from secrets import token_urlsafe
+from select import select
 from socketserver import TCPServer
 from time import monotonic, sleep
 from typing import Any
@@ -35,8 +36,8 @@ HEADERS = {
     "Referrer-Policy": "no-referrer",
     "X-Content-Type-Options": "nosniff",
 }
-# Real time between two states of a page, and without a state, s; after the latter its connection is tested.
-BETWEEN, SILENCE = 1 / 25, 5.0
+# Real time between two states of a page, and without a state, s; after either its connection is tested.
+BETWEEN, SILENCE = 1 / 25, 0.5
 MAX_PAGES, MAX_BYTES = 16, 10_000
 
 
@@ -73,7 +74,7 @@ class PanelServer(ThreadingHTTPServer):
 
     def serve(self) -> None:
         """Serve until `stop`, in the present thread."""
-        threading.Thread(target=self.session.watch_files, args=(self.over,), daemon=True).start()
+        threading.Thread(target=self.session.watch, args=(self.over,), daemon=True).start()
         self.serve_forever()
 
     def stop(self) -> None:
@@ -98,12 +99,15 @@ class Handler(BaseHTTPRequestHandler):
 
     def do_GET(self) -> None:
         name = self._name()
+        if name is None:
+            return
+        name, _, page = name.partition("?page=")
         if name == "events":
-            self._send_events()
+            self._send_events(page)
         elif name in FILES:
             file, kind = FILES[name]
             self._send(HTTPStatus.OK, files(__package__).joinpath(file).read_bytes(), kind)
-        elif name is not None:
+        else:
             self._refuse(HTTPStatus.NOT_FOUND, "there is no such page")
 
     def do_POST(self) -> None:
@@ -151,8 +155,8 @@ class Handler(BaseHTTPRequestHandler):
             self.send_header("Connection", "close")
         self.end_headers()
 
-    def _send_events(self) -> None:
-        """Send the state whenever it changes, until the page or the server ends."""
+    def _send_events(self, page: str) -> None:
+        """Send the state whenever it changes, until the page or the server ends; then the page presses nothing."""
         server, cursor = self.server, Cursor()
         if not server.pages.acquire(blocking=False):
             self._refuse(HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_PAGES} pages are open already")
@@ -160,7 +164,7 @@ class Handler(BaseHTTPRequestHandler):
         self.close_connection = True
         try:
             self._begin(HTTPStatus.OK, {"Content-Type": "text/event-stream"})
-            while not server.over.is_set():
+            while not server.over.is_set() and not select([self.connection], [], [], 0.0)[0]:
                 sent = monotonic()
                 found = server.session.updates(cursor, SILENCE)
                 self.wfile.write(_event(found) if found is not None else b": \n\n")
@@ -168,6 +172,7 @@ class Handler(BaseHTTPRequestHandler):
         except OSError:
             pass  # the page is closed
         finally:
+            server.session.presses.gone(page)
             server.pages.release()
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from motionlang.cli.command import Refused
 from motionlang.commands.panel.play import PER_SECOND, RELEASE, Action, ActionQueue, Play, PlayRecord
 from motionlang.commands.panel.play import in_words as change_in_words
+from motionlang.commands.panel.presses import Presses
 from motionlang.commands.panel.rule import in_words, rules
 from motionlang.commands.panel.scenario import NotSaved, save
 from motionlang.commands.panel.state import Data, contents, state_of, warnings_of
@@ -28,8 +29,8 @@ MAX_TEXT, MAX_RECORD = 100_000, 100
 # Characters of an answer.
 MAX_LINE = 200
 MIN_SPEED, MAX_SPEED = 0.1, 100.0
-# Real time between two checks of the files, s.
-CHECK = 1.0
+# Real time between two checks of the files and of the buttons that pages press, s.
+CHECK = 0.5
 
 
 class WrongAction(ValueError):
@@ -61,6 +62,7 @@ class PanelSession:
         self._switches: dict[str, object] = {}
         self._followers: dict[int, Entry] = {}
         self._actions = ActionQueue()
+        self.presses = Presses(self._press)
         # Held for what follows, which the threads of the pages read.
         self._news = threading.Condition()
         self._contents: Data = {}
@@ -173,9 +175,10 @@ class PanelSession:
             self._notice, self._notices = notice, self._notices + 1
             self._news.notify_all()
 
-    def watch_files(self, over: threading.Event) -> None:
-        """Take note of changes of the program and its machine file until `over`."""
+    def watch(self, over: threading.Event) -> None:
+        """Take note of changes of the program and its machine file, and of pages that are gone, until `over`."""
         while not over.wait(CHECK):
+            self.presses.expire()
             stamps = self._stamps()
             with self._news:
                 if stamps == self._noticed:
@@ -191,7 +194,19 @@ class PanelSession:
 
     def act(self, request: Mapping[str, Any]) -> None:
         """Let the run do what a page asks for; raise WrongAction if that is not possible."""
-        self._actions.post(self._action(request))
+        if request.get("do") == "press":
+            numbers = request.get("numbers")
+            if not isinstance(numbers, (list, tuple)):
+                raise WrongAction("numbers must be a list")
+            pressed = [
+                self._change({"table": "input", "number": each, "value": 1}).number for each in numbers
+            ]
+            self.presses.put(str(request.get("page")), _whole(request, "message"), pressed)
+        else:
+            self._actions.post(self._action(request))
+
+    def _press(self, number: int, is_down: bool) -> None:
+        self._actions.post(partial(Play.press, number=number, is_down=is_down))
 
     def _action(self, request: Mapping[str, Any]) -> Action:
         match request.get("do"):
@@ -210,8 +225,7 @@ class PanelSession:
                 return lambda play: play.pace.set_speed(speed)
             case "change":
                 change = self._change(request)
-                is_button_up = bool(request.get("button_up"))
-                return lambda play: play.change(change, is_button_up=is_button_up)
+                return lambda play: play.change(change)
             case "reply":
                 text = str(request.get("text", ""))
                 if len(text) > MAX_LINE or not text.isprintable():
@@ -298,6 +312,13 @@ class PanelSession:
             speed=play.pace.speed,
             goes_on=goes_on,
         )
+        self._actions.post(self._hands_on)
+
+    def _hands_on(self, play: Play) -> None:
+        """Let the buttons of a new run be down where hands are on them, and up where none are any more."""
+        down = self.presses.down
+        for number in sorted(down | play.record.pressed):
+            play.press(number, is_down=number in down)
 
     def _go_back(self, play: Play, time: float) -> None:
         time = min(floor(time * PER_SECOND + 1e-6) / PER_SECOND, play.moment)

@@ -127,6 +127,7 @@ def state_of(play: Play, made: Data) -> Data:
         "read": sorted(play.watch.inputs),
         "values": _values(machine, made["inputs"]),
         "held": sorted(play.held),
+        "pressed": sorted(play.record.pressed),
         "outputs": [
             each["number"] for each in made["outputs"] if controller.outputs.inverted(each["number"])
         ],

@@ -50,6 +50,9 @@ class Hand:
         self.record: list[tuple[float, str]] = []
         self.rules: dict[int, str] = {}
         self.is_changed = False
+        # The address of the page, if it is served.
+        self.address = ""
+        self._messages = 0
 
     def __call__(self, do: str, **request: object) -> None:
         """Ask for something, as a page does."""
@@ -58,6 +61,11 @@ class Hand:
     def set(self, number: int, value: float, table: str = "input") -> None:
         """Change an input, or an element of another table."""
         self("change", table=table, number=number, value=value)
+
+    def press(self, *numbers: int, page: str = "one") -> None:
+        """Press these buttons of a page, and no others."""
+        self._messages += 1
+        self("press", page=page, message=self._messages, numbers=numbers)
 
     def sees(self, holds: Callable[[State], object]) -> State:
         """Wait until a state has something."""

@@ -107,8 +107,8 @@ def test_a_button_is_pressed_for_some_time_while_the_program_moves(
     with operated(path, text) as hand:
         hand.rests()
         hand.set(2, 1)
-        hand.set(1, 1)
-        hand("change", table="input", number=1, value=0, button_up=True)
+        hand.press(1)
+        hand.press()
         hand.rests()
         made = saved(hand).read_text(encoding="utf-8")
     assert "{ channel = 1, asked = 0.16, level = 1, times = 1, for = 0.02 }" in made

@@ -42,10 +42,10 @@ class Page:
         status, _, body = self.ask(f"{self.begin}act", request)
         return status, json.loads(body)
 
-    def events(self) -> Generator[Any, None, None]:
+    def events(self, name: str = "") -> Generator[Any, None, None]:
         """Yield what the server sends."""
         connection = HTTPConnection("127.0.0.1", self.port, timeout=30)
-        connection.request("GET", f"{self.begin}events")
+        connection.request("GET", f"{self.begin}events?page={name}")
         answer = connection.getresponse()
         try:
             while line := answer.readline():
@@ -147,3 +147,27 @@ def test_a_page_too_many_is_refused(tmp_path: Path) -> None:
 def test_a_port_in_use(tmp_path: Path) -> None:
     with served(tmp_path / "press.mnt") as (hand, server), pytest.raises(OSError, match="in use"):
         PanelServer(hand.session, server.server_port)
+
+
+def test_a_page_that_is_closed_releases_what_it_presses(tmp_path: Path) -> None:
+    with served(tmp_path / "press.mnt") as (hand, server):
+        page = Page(server)
+        hand("run")
+        events = page.events("a")
+        next(events)
+        page.act(do="press", page="a", message=1, numbers=[1])
+        page.act(do="change", table="input", number=3, value=1)
+        hand.sees(lambda state: state["inputs"] == {1: 1, 3: 1})
+        events.close()
+        hand.sees(lambda state: state["inputs"] == {3: 1})
+
+
+def test_a_page_that_falls_silent_releases_what_it_presses(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("motionlang.commands.panel.presses.PATIENCE", 0.1)
+    with served(tmp_path / "press.mnt") as (hand, server):
+        hand("run")
+        Page(server).act(do="press", page="a", message=1, numbers=[1])
+        hand.sees(lambda state: state["inputs"] == {1: 1})
+        hand.sees(lambda state: state["inputs"] == {})

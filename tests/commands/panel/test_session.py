@@ -119,8 +119,8 @@ def test_a_change_at_a_step_is_made_at_the_next_event(tmp_path: Path) -> None:
 def test_a_press_of_a_paused_program_lasts_until_it_goes_on(tmp_path: Path) -> None:
     with operated(tmp_path / "press.mnt", PRESS) as hand:
         hand.rests()
-        hand.set(1, 1)
-        hand("change", table="input", number=1, value=0, button_up=True)
+        hand.press(1)
+        hand.press()
         assert hand.sees(lambda state: state["pending"])["pending"] == ["input 1 off"]
         assert hand.state["inputs"] == {1: 1}
         assert hand.rests()["waits"] == [("input", 2, 8)]
@@ -288,9 +288,9 @@ class Twice(threading.Event):
 def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
     path = tmp_path / "press.mnt"
     with operated(path, PRESS) as hand:
-        hand.session.watch_files(Twice())
+        hand.session.watch(Twice())
         path.write_text(f"{PRESS}' longer\n", encoding="utf-8")
-        hand.session.watch_files(Twice())
+        hand.session.watch(Twice())
         hand.hears("press.mnt or its machine file has changed")
         assert hand.is_changed
         path.write_text(f"{PRESS}Pause INX(\n", encoding="utf-8")
@@ -298,7 +298,7 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
             hand("restart", keep=False)
         hand.session.say("")
         path.write_text(PRESS, encoding="utf-8")
-        hand.session.watch_files(Twice())
+        hand.session.watch(Twice())
         hand.hears("press.mnt or its machine file has changed")
         hand("restart", keep=False)
         hand.hears("started again")
