@@ -8,7 +8,8 @@ const SPAN = 20; // seconds of the chart
 const MAX_ROWS = 2000; // rows of the terminal that stay
 const REPEAT = 80; // ms between two presses of a key that is held, which lasts 100 ms
 const PATIENCE = 1000; // ms until a page says that it has no answer
-const NO_ANSWER = "no answer yet: motionlang panel is busy, or too many pages of it are open";
+const NO_ANSWER = "no answer yet: motionlang panel is busy";
+const GONE = "motionlang panel does not answer: see whether it still runs";
 const find = (id) => document.getElementById(id);
 
 let contents = null; // of the program
@@ -39,7 +40,7 @@ async function post(request) {
     const answer = await fetch("act", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(request), keepalive: true });
     if (!answer.ok) say((await answer.json()).error);
   } catch {
-    say("motionlang panel does not answer: see whether it still runs");
+    say(GONE);
   }
 }
 
@@ -533,14 +534,29 @@ function listen() {
   document.addEventListener("keydown", (event) => event.target === document.body && typed(event));
   document.addEventListener("keyup", released);
   for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, (event) => [...hands.keys()].forEach((number) => lift(number, event.pointerId)));
-  document.addEventListener("visibilitychange", () => document.hidden && liftAll());
+  document.addEventListener("visibilitychange", () => (document.hidden ? (liftAll(), state && events.close()) : connect()));
   for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => (released(), liftAll()));
   setInterval(() => hands.size && !unanswered && send(pressed()), PATIENCE / 2);
-  const events = new EventSource(`events?page=${page}`);
-  events.addEventListener("message", (event) => show(JSON.parse(event.data)));
-  events.addEventListener("error", () => {
+  connect();
+}
+
+// A browser has six connections to a server, so a page that is hidden gives its own back.
+let events = null;
+
+function connect() {
+  events?.close();
+  events = new EventSource(`events?page=${page}`);
+  events.addEventListener("message", (event) => {
+    show(JSON.parse(event.data));
+    if (document.hidden) events.close();
+  });
+  events.addEventListener("error", async () => {
+    events.close();
+    if (document.hidden && state) return;
     put(find("mode"), "not connected");
-    say("motionlang panel does not answer: see whether it still runs");
+    const answers = await fetch("style.css").catch(() => null);
+    say(answers ? "too many pages of this panel are visible: close or hide one" : GONE);
+    setTimeout(() => document.hidden && state || connect(), PATIENCE);
   });
 }
 

@@ -46,6 +46,8 @@ PUBLISH = 0.04
 SHORT = 0.002
 # A table of changes that the machine file does not have: a hand lets go of an input that the machine file drives.
 RELEASE = "release"
+# The tables whose changes are of inputs.
+INPUTS = "input", RELEASE
 STACK_SIZE = 64 * 1024 * 1024
 
 
@@ -81,7 +83,7 @@ class PlayRecord:
     @property
     def last(self) -> dict[int, Change]:
         """The last change of each input."""
-        return {each.number: each for _, each in self.changes if each.table in ("input", RELEASE)}
+        return {each.number: each for _, each in self.changes if each.table in INPUTS}
 
     @property
     def pressed(self) -> set[int]:
@@ -215,17 +217,17 @@ class Play:
         """End the run; nothing of it is published any more."""
         self._is_abandoned = True
 
-    def change(self, change: Change, *, is_button_up: bool = False) -> None:
+    def change(self, change: Change) -> None:
         """Make a change now; at the next event if the run is stopped between two, or when it has come to `until`.
 
-        A button comes up an event after it was pressed at least, so that the program sees a press of any length.
+        A press comes an event after the last change of its input at least, so that the program sees each of any length.
         """
         event = max(self._ticks, ceil(self.until * PER_SECOND - 1e-6))
-        if is_button_up and any(
-            time == event / PER_SECOND and each.number == change.number and each.table == "input"
-            for time, each in self.record.changes
-        ):
-            event += 1
+        if change.table in INPUTS:
+            is_press = change.table == RELEASE or isinstance(change, Press)
+            for time, each in self.record.changes:
+                if each.number == change.number and each.table in INPUTS:
+                    event = max(event, round(time * PER_SECOND) + is_press)
         insort(self.record.changes, (event / PER_SECOND, change), key=itemgetter(0))
         if self.result is not None:
             self._make_until(inf)
@@ -241,8 +243,7 @@ class Play:
         if is_down and (last is None or last.table == RELEASE or not last.value):
             self.change(Press("input", number, 1))
         elif not is_down and number in self.record.pressed:
-            up = Change(RELEASE, number, 0.0) if number in self.driven else Press("input", number, 0)
-            self.change(up, is_button_up=True)
+            self.change(Change(RELEASE, number, 0.0) if number in self.driven else Press("input", number, 0))
 
     def reply(self, text: str) -> None:
         """Answer the question of an INPUT."""

@@ -124,6 +124,9 @@ def _tables(made: Sequence[tuple[tuple[float, Change], float | None]]) -> dict[s
         is_input = change.table == "input"
         if is_input and asked is None and change.number in pressed:
             since, entry = pressed.pop(change.number)
+            if entry["level"] != change.value and time == since:  # a switch that was thrown twice
+                tables["input"].remove(entry)
+                continue
             if entry["level"] != change.value:
                 entry["for"] = _exact(time - since)
                 continue

@@ -38,7 +38,8 @@ HEADERS = {
 }
 # Real time between two states of a page, and without a state, s; after either its connection is tested.
 BETWEEN, SILENCE = 1 / 25, 0.5
-MAX_PAGES, MAX_BYTES = 16, 10_000
+# Pages that are visible at the same time: a browser has six connections, and one of them is for actions.
+MAX_PAGES, MAX_BYTES = 5, 10_000
 
 
 class PanelServer(ThreadingHTTPServer):
@@ -159,7 +160,9 @@ class Handler(BaseHTTPRequestHandler):
         """Send the state whenever it changes, until the page or the server ends; then the page presses nothing."""
         server, cursor = self.server, Cursor()
         if not server.pages.acquire(blocking=False):
-            self._refuse(HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_PAGES} pages are open already")
+            self._refuse(
+                HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_PAGES} pages are visible already: close or hide one"
+            )
             return
         self.close_connection = True
         try:

@@ -20,7 +20,7 @@ import pytest
 CHROMIUM = shutil.which("chromium")
 needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="no chromium")
 # Seconds after which a test gives up.
-PATIENCE = 60.0
+PATIENCE = 20.0
 OPTIONS = (
     "--headless=new",
     "--no-sandbox",

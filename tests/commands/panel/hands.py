@@ -50,8 +50,6 @@ class Hand:
         self.record: list[tuple[float, str]] = []
         self.rules: dict[int, str] = {}
         self.is_changed = False
-        # The address of the page, if it is served.
-        self.address = ""
         self._messages = 0
 
     def __call__(self, do: str, **request: object) -> None:

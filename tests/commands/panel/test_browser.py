@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from tests.commands.panel.browser import Browser, Tab, browsing, needs_chromium
+from motionlang.commands.panel.server import MAX_PAGES, PanelServer
+from tests.commands.panel.browser import PATIENCE, Browser, Tab, browsing, needs_chromium
 from tests.commands.panel.hands import Hand
-from tests.commands.panel.test_server import served
+from tests.commands.panel.test_server import Page, served
 
 pytestmark = needs_chromium
 START, PART = "input 1 start", "input 2 part in"
@@ -22,20 +25,33 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture
-def hand(tmp_path: Path) -> Iterator[Hand]:
-    """A program that runs at `hand.address`."""
+def bench(tmp_path: Path) -> Iterator[tuple[Hand, PanelServer]]:
+    """A program that runs."""
     with served(tmp_path / "press.mnt") as (hand, server):
         hand("run")
-        hand.address = server.address
-        yield hand
+        yield hand, server
 
 
 @pytest.fixture
-def tab(browser: Browser, hand: Hand) -> Iterator[Tab]:
+def hand(bench: tuple[Hand, PanelServer]) -> Hand:
+    return bench[0]
+
+
+@pytest.fixture
+def server(bench: tuple[Hand, PanelServer]) -> PanelServer:
+    return bench[1]
+
+
+@pytest.fixture
+def tab(browser: Browser, server: PanelServer) -> Iterator[Tab]:
     """A page of the program."""
-    tab = browser.tab(hand.address)
+    tab = browser.tab(server.address)
     yield tab
     tab.close()
+
+
+def says(tab: Tab, notice: str) -> None:
+    tab.until(f"document.querySelector('#notice').textContent === {json.dumps(notice)}")
 
 
 def is_on(hand: Hand, *numbers: int) -> None:
@@ -78,8 +94,10 @@ def test_a_key_presses_a_button(hand: Hand, tab: Tab) -> None:
 
 
 @pytest.mark.parametrize("how", ["close", "reload", "hide", "blur"])
-def test_a_page_that_goes_releases_what_it_presses(browser: Browser, hand: Hand, how: str) -> None:
-    tab = browser.tab(hand.address)
+def test_a_page_that_goes_releases_what_it_presses(
+    browser: Browser, hand: Hand, server: PanelServer, how: str
+) -> None:
+    tab = browser.tab(server.address)
     tab.click("input 1 start, hold")
     is_on(hand, 1)
     tab.press(PART)
@@ -89,7 +107,7 @@ def test_a_page_that_goes_releases_what_it_presses(browser: Browser, hand: Hand,
     elif how == "reload":
         tab.do("Page.reload")
     elif how == "hide":
-        browser.tab(hand.address)
+        browser.tab(server.address)
     else:
         tab.js("window.dispatchEvent(new Event('blur'))")
     is_on(hand, 1)
@@ -102,5 +120,51 @@ def test_fast_presses_leave_nothing_on(hand: Hand, tab: Tab) -> None:
         tab.click(START)
         tab.click(PART)
     tab.click("save")
-    hand.hears("saved ")
+    tab.until("document.querySelector('#notice').textContent.startsWith('saved ')")
     is_on(hand)
+
+
+def test_eight_tabs_of_a_browser_all_work(browser: Browser, hand: Hand, server: PanelServer) -> None:
+    tabs = [browser.tab(server.address) for _ in range(8)]
+    for each in tabs:
+        each.until("parseFloat(document.querySelector('#time').textContent) > 0")
+    tabs[0].js("document.querySelector('#run').click()")
+    hand.sees(lambda state: state["mode"] == "paused")
+    tabs[-1].until("document.querySelector('#mode').textContent === 'paused'")
+    assert tabs[-1].js("document.querySelector('#time').textContent") != tabs[0].js(
+        "document.querySelector('#time').textContent"
+    )
+    for each in reversed(tabs[1:]):
+        each.close()
+    tabs[0].do("Page.bringToFront")
+    tabs[0].until("document.querySelector('#mode').textContent === 'paused'")
+    tabs[0].close()
+
+
+def test_a_page_too_many_says_so_and_works_when_another_is_closed(
+    browser: Browser, server: PanelServer
+) -> None:
+    others = [Page(server).events() for _ in range(MAX_PAGES)]
+    for each in others:
+        next(each)
+    tab = browser.tab(server.address)
+    says(tab, "too many pages of this panel are visible: close or hide one")
+    others[0].close()
+    tab.until("document.querySelector('#mode').textContent === 'runs'")
+    for each in (tab, *others):
+        each.close()
+
+
+def test_a_button_without_an_answer_says_so(hand: Hand, tab: Tab) -> None:
+    is_free = threading.Event()
+
+    def act(request: object) -> None:
+        is_free.wait(PATIENCE)
+
+    tab.middle(START)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(hand.session, "act", act)
+        tab.click("pause")
+        says(tab, "no answer yet: motionlang panel is busy")
+        is_free.set()
+        says(tab, "")

@@ -69,6 +69,25 @@ def test_a_button_that_the_machine_file_drives_is_driven_again_when_the_hand_lea
         hand.sees(lambda state: state["inputs"] == {3: 1})
 
 
+def test_fast_presses_come_one_after_another_and_are_saved(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        with hand.busy():
+            for _ in range(2):
+                hand.press(1)
+                hand.press()
+        hand("run")
+        hand.sees(lambda state: state["t"] > 1.0)
+        assert hand.record == [
+            (0.16, "input 1 on"),
+            (0.18, "input 1 off"),
+            (0.2, "input 1 on"),
+            (0.22, "input 1 off"),
+        ]
+        hand("save")
+        hand.hears("saved ")
+
+
 @pytest.mark.parametrize("is_on", [True, False])
 def test_a_run_that_goes_back_to_a_press_knows_whether_the_hand_is_still_on(
     tmp_path: Path, is_on: bool

@@ -116,6 +116,16 @@ def test_a_button_is_pressed_for_some_time_while_the_program_moves(
     assert "1 of 1 scenarios pass" in verified(path, capsys)
 
 
+def test_a_switch_that_is_thrown_twice_is_saved_as_nothing(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        hand.rests()
+        hand.set(1, 1)
+        hand.set(1, 0)
+        hand("run")
+        hand.sees(lambda state: state["t"] > 0.5)
+        assert "asked" not in saved(hand).read_text(encoding="utf-8")
+
+
 def test_a_run_that_goes_on_is_saved_with_its_times(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
