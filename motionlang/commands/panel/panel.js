@@ -20,6 +20,7 @@ let rules = {}; // by the number of an input: how it follows an output
 let samples = []; // [time, position, …] of the axes
 let marked = []; // the lines that are marked in the program
 let shownLine = 0;
+let answered = -Infinity; // when a question was answered last: the second click of a double click is for that one
 
 // Requests are sent one after another, since those of one browser may overtake each other.
 let sent = Promise.resolve();
@@ -444,10 +445,13 @@ function update() {
   for (const [name, { place }] of views) place.classList.toggle("waiting", waits.has(name));
   put(find("waits"), waiting());
   find("waits").classList.toggle("fault", state.mode === "fault");
-  const asks = state.mode === "asks";
-  if (asks !== !find("answer").hidden) {
+  const asks = state.mode === "asks" ? String(state.asks) : "";
+  if (asks !== find("answer").dataset.number) {
+    if (find("answer").dataset.number) answered = performance.now();
+    find("answer").dataset.number = asks;
     find("answer").hidden = !asks;
-    find("question").textContent = asks ? state.question : "";
+    find("question").textContent = state.question ?? "";
+    find("line").value = "";
     if (asks) find("line").focus();
   }
   sample();
@@ -521,9 +525,11 @@ function listen() {
   find("again").addEventListener("click", () => send({ do: "restart", keep: true }));
   find("answer").addEventListener("submit", (event) => {
     event.preventDefault();
-    send({ do: "reply", text: find("line").value });
-    find("line").value = "";
+    if (performance.now() - answered < PATIENCE / 2) say("the question has just changed: read it, and answer again");
+    else send({ do: "reply", question: Number(find("answer").dataset.number), text: find("line").value });
   });
+  // A key that is held would answer the next question.
+  find("answer").addEventListener("keydown", (event) => event.repeat && event.key === "Enter" && event.preventDefault());
   find("keys").addEventListener("submit", (event) => {
     event.preventDefault();
     for (const letter of find("typed").value) send({ do: "change", table: "key", number: 0, value: letter });

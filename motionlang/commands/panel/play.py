@@ -28,6 +28,7 @@ from bisect import insort
 from collections import deque
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from itertools import count
 from math import ceil, inf
 from operator import itemgetter
 from time import monotonic
@@ -99,6 +100,8 @@ class ActionQueue:
 
     def __init__(self) -> None:
         self._posted: deque[Action] = deque()
+        # The numbers of questions, which no two runs share.
+        self.questions = count(1)
         self._changed = threading.Condition()
 
     def post(self, action: Action) -> None:
@@ -143,6 +146,8 @@ class Play:
         self.machine: Machine | None = None
         # The question of an INPUT that waits for an answer.
         self.question: str | None = None
+        # Its number, by which an answer says that it is for this one.
+        self.asks = 0
         # The task and the statement before which a step has ended.
         self.stopped: dict[Task, int] = {}
         # The inputs that a hand has taken from the machine file.
@@ -245,10 +250,12 @@ class Play:
         elif not is_down and number in self.record.pressed:
             self.change(Change(RELEASE, number, 0.0) if number in self.driven else Press("input", number, 0))
 
-    def reply(self, text: str) -> None:
-        """Answer the question of an INPUT."""
-        if self.question is not None:
-            self._answer = text
+    def reply(self, text: str, question: int) -> bool:
+        """Answer the question of an INPUT; False if it does not wait for an answer any more."""
+        if self.question is None or self._answer is not None or self.asks != question:
+            return False
+        self._answer = text
+        return True
 
     def pause(self) -> None:
         self.is_paused, self._seeks_rest = True, inf
@@ -392,7 +399,7 @@ class Play:
         assert self.machine is not None
         answers = self.record.answers
         if self._answered == len(answers):
-            self.question = self.machine.operator.question
+            self.question, self.asks = self.machine.operator.question, next(self._actions.questions)
             while self._answer is None:
                 self._tell()
                 self._act(inf)

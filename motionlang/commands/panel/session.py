@@ -230,7 +230,7 @@ class PanelSession:
                 text = str(request.get("text", ""))
                 if len(text) > MAX_LINE or not text.isprintable():
                     raise WrongAction(f"an answer is one line of at most {MAX_LINE} characters")
-                return lambda play: play.reply(text)
+                return partial(self._reply, text=text, question=_whole(request, "question"))
             case "back":
                 time = _number(request, "time")
                 if time < 0.0:
@@ -319,6 +319,10 @@ class PanelSession:
         down = self.presses.down
         for number in sorted(down | play.record.pressed):
             play.press(number, is_down=number in down)
+
+    def _reply(self, play: Play, text: str, question: int) -> None:
+        if not play.reply(text, question):
+            self.say(f'the answer "{text}" came too late: its question has been answered')
 
     def _go_back(self, play: Play, time: float) -> None:
         time = min(floor(time * PER_SECOND + 1e-6) / PER_SECOND, play.moment)

@@ -118,6 +118,7 @@ def state_of(play: Play, made: Data) -> Data:
         "mode": _mode(play),
         "speed": play.pace.speed,
         "late": play.pace.is_late,
+        "asks": play.asks,
         "question": None if play.question is None else plain(play.question),
         "end": "" if play.result is None else _end(play.result),
         "axes": [_axis_state(machine, each["number"], now) for each in made["axes"]],

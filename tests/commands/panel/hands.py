@@ -60,6 +60,10 @@ class Hand:
         """Change an input, or an element of another table."""
         self("change", table=table, number=number, value=value)
 
+    def reply(self, text: str) -> None:
+        """Answer the present question."""
+        self("reply", question=self.state["asks"], text=text)
+
     def press(self, *numbers: int, page: str = "one") -> None:
         """Press these buttons of a page, and no others."""
         self._messages += 1

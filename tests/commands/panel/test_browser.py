@@ -168,3 +168,20 @@ def test_a_button_without_an_answer_says_so(hand: Hand, tab: Tab) -> None:
         says(tab, "no answer yet: motionlang panel is busy")
         is_free.set()
         says(tab, "")
+
+
+def test_a_double_click_answers_one_question(browser: Browser, tmp_path: Path) -> None:
+    text = 'Dim n\nInput "parts ", n\nInput "speed ", n\nPause INX(1)\n'
+    with served(tmp_path / "ask.mnt", text) as (hand, server):
+        hand("run")
+        tab = browser.tab(server.address)
+        tab.until("!document.querySelector('#answer').hidden")
+        tab.js("document.querySelector('#line').value = '10'")
+        tab.mouse("Moved", tab.middle("answer"))
+        for clicks in (1, 2):
+            tab.mouse("Pressed", clicks=clicks)
+            tab.mouse("Released", clicks=clicks)
+        tab.until("/just changed|came too late/.test(document.querySelector('#notice').textContent)")
+        hand.sees(lambda state: state["question"] == "speed")
+        assert [words for _, words in hand.record] == ["answer 10"]
+        tab.close()

@@ -180,7 +180,7 @@ def test_answers_keys_and_numbers_are_saved(tmp_path: Path, capsys: pytest.Captu
     text += 'Print "over "; n\nPause INX(9)\n'
     with operated(path, text) as hand:
         hand.rests()
-        hand("reply", text="12")
+        hand.reply("12")
         hand.sees(lambda state: state["mode"] == "paused")
         hand.set(3, 5.5, "comms")
         assert hand.rests()["waits"] == [("key", 0, 4)]

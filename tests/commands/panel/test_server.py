@@ -57,8 +57,8 @@ class Page:
 
 
 @contextmanager
-def served(path: Path) -> Iterator[tuple[Hand, PanelServer]]:
-    with operated(path, PRESS) as hand:
+def served(path: Path, text: str = PRESS) -> Iterator[tuple[Hand, PanelServer]]:
+    with operated(path, text) as hand:
         server = PanelServer(hand.session)
         thread = threading.Thread(target=server.serve, daemon=True)
         thread.start()

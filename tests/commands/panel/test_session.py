@@ -178,20 +178,35 @@ def test_machine_time_stands_until_a_question_is_answered(tmp_path: Path) -> Non
     with operated(tmp_path / "ask.mnt", text) as hand:
         state = hand.rests()
         assert (state["mode"], state["question"].strip(" ?")) == ("asks", "How many")
-        hand("reply", text="12")
+        hand.reply("12")
         assert hand.sees(lambda state: state["waits"])["waits"] == [("input", 1, 4)]
         assert "12.0000" in hand.text
         assert hand.record[0][1] == "answer 12"
+
+
+def test_an_answer_is_for_its_own_question(tmp_path: Path) -> None:
+    text = 'Dim n\nInput "How many", n\nInput "How much", n\nPause INX(1)\n'
+    with operated(tmp_path / "ask.mnt", text) as hand:
+        first = hand.rests()["asks"]
+        with hand.busy():
+            hand.reply("12")
+            hand.reply("34")
+        hand.hears('the answer "34" came too late: its question has been answered')
+        hand.sees(lambda state: "much" in (state["question"] or ""))
+        assert hand.state["asks"] != first
+        hand("back", time=0)
+        hand.hears("back at 0 s")
+        assert hand.record == [(0.0, "answer 12")]
 
 
 def test_an_answer_that_is_not_a_number_is_warned_of(tmp_path: Path) -> None:
     text = 'Dim n\nInput "How many", n\nInput "How much", n\nPause INX(1)\n'
     with operated(tmp_path / "ask.mnt", text) as hand:
         hand.rests()
-        hand("reply", text="abc")
+        hand.reply("abc")
         hand.hears('line 2: the answer "abc" is not a number: INPUT takes 0; type a number alone')
         hand.sees(lambda state: state["mode"] == "asks" and "much" in state["question"])
-        hand("reply", text="3x")
+        hand.reply("3x")
         hand.hears('line 3: the answer "3x" is not a number: INPUT takes 3; type a number alone')
 
 
@@ -321,6 +336,7 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
         ({"do": "change", "table": "release", "number": 1}, "does not drive input 1"),
         ({"do": "rule", "number": 1}, "no output explains"),
         ({"do": "reply", "text": "a\nb"}, "an answer is one line"),
+        ({"do": "reply", "text": "a"}, "question must be a number"),
     ],
 )
 def test_what_no_page_may_ask_for_is_refused(tmp_path: Path, asked: dict[str, object], why: str) -> None:
