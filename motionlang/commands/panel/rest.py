@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from motionlang.exploration import SHORTEST_REST, Channel, Entry, keys_of
 from motionlang.kernel import Dialect, Hook, Machine, Program, Task, Wait
-from motionlang.kernel.lang import READ, ChannelUse, Statement
+from motionlang.kernel.lang import READ, Statement
 
 # A statement that began within so many seconds belongs to a loop that goes on.
 RECENT = 1.0
@@ -36,6 +36,8 @@ TABLE_OF = {
     "key": "key",
     "answer": "answer",
 }
+# The tables whose numbers a program may compute.
+NUMBERED = "input", "analogue", "comms", "netdata", "dpr"
 
 
 class PanelWait(NamedTuple):
@@ -61,9 +63,8 @@ class RestWatch(Hook):
         self._last: dict[str, int] = {}
         # The statements of handlers, which wait for nothing.
         self._handlers: set[int] = set()
-        self._read: dict[int, tuple[float, int]] = {}
-        # What the program has read, and from then on asks for.
-        self._asked: set[Channel] = set()
+        # What the program has read, and from then on asks for, with the time and the statement of the last read.
+        self._read: dict[Channel, tuple[float, int]] = {}
         self._machine: Machine | None = None
         # When something new began last, and the number of moves then.
         self.news = 0.0
@@ -90,16 +91,14 @@ class RestWatch(Hook):
         machine = self._machine
         if machine is None or machine.scheduler is None or channel >= SHADOW:
             return
-        if (table, channel) not in self._asked:
-            self._asked.add((table, channel))
+        if (table, channel) not in self._read:
             machine.add_entries({table: [keys_of(table, channel) | NEVER | VALUES.get(table, {})]})
-        if table == "input":
-            self._read[channel] = machine.clock.now, machine.scheduler.current.at
+        self._read[table, channel] = machine.clock.now, machine.scheduler.current.at
 
     @property
     def inputs(self) -> list[int]:
         """The inputs that the program has read."""
-        return sorted(self._read)
+        return sorted(number for table, number in self._read if table == "input")
 
     def line(self, offset: int) -> int:
         """Return the line of a source offset."""
@@ -130,13 +129,15 @@ class RestWatch(Hook):
     def awaited(self, machine: Machine) -> list[PanelWait]:
         """Return what the statements read that tasks repeat or wait at."""
         now = machine.clock.now
-        found = [
-            PanelWait("input", channel, self.line(at))
-            for channel, (time, at) in self._read.items()
-            if now - time <= self._window(machine, at)
-        ]
         places = {at for at, time in self._begun.items() if now - time < self._window(machine, at)}
         places |= {task.at for task in _tasks(machine) if not task.done}
+        found = [
+            PanelWait(*channel, self.line(at))
+            for channel, (time, at) in self._read.items()
+            if channel[0] in NUMBERED
+            if now - time <= self._window(machine, at)
+            or (at in places - self._handlers and time >= self._begun.get(at, inf))
+        ]
         for at in sorted(places - self._handlers):
             statement = self._structure.statements.get(at)
             if statement is not None:
@@ -159,15 +160,10 @@ def _tasks(machine: Machine) -> list[Task]:
 
 
 def _read_by(statement: Statement, line: int) -> Iterator[PanelWait]:
-    """Yield the channels that a statement reads, but for inputs, which a run reports by itself."""
+    """Yield the channels that a statement reads, but for those whose number a run alone knows."""
     for use in statement.channels:
-        if use.access == READ and use.channel in TABLE_OF:
-            yield PanelWait(TABLE_OF[use.channel], number_of(use), line)
-
-
-def number_of(use: ChannelUse) -> int:
-    """Return the number of a channel, 0 for one that has none."""
-    return int(use.number) if use.number.isdecimal() else 0
+        if use.access == READ and use.channel in TABLE_OF and (not use.number or use.number.isdecimal()):
+            yield PanelWait(TABLE_OF[use.channel], int(use.number or 0), line)
 
 
 def tasks_of(machine: Machine, watch: RestWatch, stopped: Mapping[Task, int]) -> list[tuple[str, int, str]]:

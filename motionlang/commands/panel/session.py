@@ -234,7 +234,7 @@ class PanelSession:
             case "back":
                 time = _number(request, "time")
                 if time < 0.0:
-                    raise WrongAction("the run begins at 0 s: time must be 0 or more")
+                    raise WrongAction("the run begins at 0 s: choose 0 or later")
                 return partial(self._go_back, time=time)
             case "restart":
                 return self._restart(keeps=bool(request.get("keep")))
@@ -259,6 +259,8 @@ class PanelSession:
         if table not in TABLES or table == "answer":
             raise WrongAction(f"{table or 'this'} cannot be changed by hand")
         value = str(request.get("value", "")) if table in TEXTS else _number(request, "value")
+        if table == "input" and value not in (0, 1):
+            raise WrongAction(f"an input is 1 (on) or 0 (off), not {value:g}")
         change = Change(table, number, value)
         mistake = first_mistake(tables_of(((0.0, change),)))
         if mistake:

@@ -151,8 +151,9 @@ def test_a_page_too_many_says_so_and_works_when_another_is_closed(
     says(tab, "too many pages of this panel are visible: close or hide one")
     others[0].close()
     tab.until("document.querySelector('#mode').textContent === 'runs'")
-    for each in (tab, *others):
-        each.close()
+    tab.close()
+    for events in others:
+        events.close()
 
 
 def test_a_button_without_an_answer_says_so(hand: Hand, tab: Tab) -> None:

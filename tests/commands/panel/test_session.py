@@ -184,6 +184,16 @@ def test_machine_time_stands_until_a_question_is_answered(tmp_path: Path) -> Non
         assert hand.record[0][1] == "answer 12"
 
 
+def test_an_input_whose_number_is_computed_is_the_one_that_the_line_reads_now(tmp_path: Path) -> None:
+    text = "waitFor(4)\nwaitFor(5)\nEnd\nSub waitFor(ByVal ch As Integer)\nPause INX(ch)\nEnd Sub\n"
+    with operated(tmp_path / "channel.mnt", text) as hand:
+        state = hand.rests()
+        assert (state["read"], state["waits"]) == ([4], [("input", 4, 5)])
+        hand.set(4, 1)
+        state = hand.rests()
+        assert (state["read"], state["waits"]) == ([4, 5], [("input", 5, 5)])
+
+
 def test_an_answer_is_for_its_own_question(tmp_path: Path) -> None:
     text = 'Dim n\nInput "How many", n\nInput "How much", n\nPause INX(1)\n'
     with operated(tmp_path / "ask.mnt", text) as hand:
@@ -326,8 +336,11 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
         ({"do": "fly"}, "unknown action"),
         ({"do": "speed", "speed": 1000}, "the speed is 0.1 to 100"),
         ({"do": "back", "time": "now"}, "time must be a number"),
-        ({"do": "back", "time": -5}, "time must be 0 or more"),
-        ({"do": "change", "table": "input", "number": 1, "value": 7}, "must be 0 or 1"),
+        ({"do": "back", "time": -5}, "^the run begins at 0 s: choose 0 or later$"),
+        (
+            {"do": "change", "table": "input", "number": 1, "value": 7},
+            r"^an input is 1 \(on\) or 0 \(off\), not 7$",
+        ),
         ({"do": "change", "table": "input", "number": 1.5, "value": 1}, "number must be a whole number"),
         ({"do": "rule", "number": 1.5}, "number must be a whole number"),
         ({"do": "change", "table": "fault", "number": 0, "value": 1}, "fault cannot be changed by hand"),
