@@ -13,10 +13,12 @@ from typing import ClassVar
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.readers import whole
 from motionlang.cli.run_command import Prepared
+from motionlang.commands.panel.roles import roles_of
 from motionlang.commands.panel.server import PanelServer
 from motionlang.commands.panel.session import PanelSession
 from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, Program, Terminated
 from motionlang.kernel.files import reason
+from motionlang.processes.workers import Workers
 
 
 @dataclass
@@ -55,7 +57,14 @@ examples:
     def run(self) -> int:
         machine = self.machine_path()
         watched = [self.file, machine or os.path.splitext(self.file)[0] + ".machine.toml"]
-        session = PanelSession(self._load, self.file, watched, self.overrides())
+        workers = Workers(1)
+        session = PanelSession(
+            self._load,
+            self.file,
+            watched,
+            self.overrides(),
+            lambda source, settings: workers.submit(roles_of, source, settings),
+        )
         try:
             server = PanelServer(session, self.port)
         except OSError as error:
@@ -75,6 +84,7 @@ examples:
         except (KeyboardInterrupt, Terminated):
             pass
         server.stop()
+        workers.stop()
         return 0
 
     def _load(self) -> tuple[Program, Mapping[str, object]]:

@@ -179,7 +179,7 @@ function push(row) {
   made.addEventListener("keydown", (event) => {
     if (event.key === " " || event.key === "Enter") (event.preventDefault(), event.repeat || lay(row.number, "key"));
   });
-  for (const end of ["keyup", "blur"]) made.addEventListener(end, () => lift(row.number, "key"));
+  made.addEventListener("blur", () => lift(row.number, "key"));
   made.addEventListener("contextmenu", (event) => event.preventDefault());
   return made;
 }
@@ -188,6 +188,10 @@ function digital(row) {
   const place = element("div", "", { class: "channel" });
   const main = row.kind === "button" ? push(row) : toggle(name(row), row);
   const hold = row.kind === "button" ? toggle("hold", row) : null;
+  const other = row.kind === "button" ? "switch" : "button";
+  const turn = element("button", "⇄", { class: "kind", title: `make it a ${other}`, "aria-label": `make ${name(row)} a ${other}` });
+  turn.addEventListener("click", () => send({ do: "kind", number: row.number, kind: other }));
+  const stops = element("small", "stops this move", { class: "stops" });
   const by = element("small");
   const words = element("span", row.driven ?? "");
   const free = element("button", "let go", { "aria-label": `let go of ${name(row)}` });
@@ -195,7 +199,7 @@ function digital(row) {
   const rule = element("button");
   rule.addEventListener("click", () => send({ do: "rule", number: row.number }));
   by.append(words, " ", free, rule);
-  place.append(main, ...(hold ? [hold] : []), by);
+  place.append(main, ...(hold ? [hold] : []), turn, stops, by);
   return {
     place,
     update() {
@@ -203,6 +207,8 @@ function digital(row) {
       if (main.getAttribute("role") === "switch") main.setAttribute("aria-checked", isOn);
       else main.setAttribute("aria-pressed", isOn);
       hold?.setAttribute("aria-checked", String(Boolean(latched(row))));
+      stops.hidden = !state.moving.some((line) => contents.stops[line]?.includes(row.number));
+      place.classList.toggle("stopping", !stops.hidden);
       const isHeld = state.held.includes(row.number);
       words.textContent = isHeld ? "by hand" : (row.driven ?? "");
       free.hidden = !isHeld;
@@ -412,7 +418,6 @@ function build() {
   document.title = `${contents.file} · panel`;
   find("file").textContent = contents.file;
   views = new Map();
-  liftAll();
   find("inputs").replaceChildren();
   contents.inputs.forEach(add);
   axisViews = contents.axes.map(axis);
@@ -464,12 +469,14 @@ function put(place, text) {
 }
 
 function show(data) {
-  if (data.contents) {
-    const isSame = contents && JSON.stringify({ ...contents, run: 0 }) === JSON.stringify({ ...data.contents, run: 0 });
-    contents = data.contents;
+  if (data.begins) {
     screen = new Screen();
     find("terminal").textContent = "";
     samples = [];
+  }
+  if (data.contents) {
+    const isSame = contents && JSON.stringify(contents) === JSON.stringify(data.contents);
+    contents = data.contents;
     if (!isSame) build();
   }
   if (data.text) print(data.text);
@@ -539,7 +546,10 @@ function listen() {
   find("terminal").addEventListener("keydown", typed);
   document.addEventListener("keydown", (event) => event.target === document.body && typed(event));
   document.addEventListener("keyup", released);
-  for (const end of ["pointerup", "pointercancel"]) window.addEventListener(end, (event) => [...hands.keys()].forEach((number) => lift(number, event.pointerId)));
+  // On the window: a button that is pressed may be replaced by another.
+  for (const end of ["pointerup", "pointercancel", "keyup"]) {
+    window.addEventListener(end, (event) => [...hands.keys()].forEach((number) => lift(number, event.pointerId ?? "key")));
+  }
   document.addEventListener("visibilitychange", () => (document.hidden ? (liftAll(), state && events.close()) : connect()));
   for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => (released(), liftAll()));
   setInterval(() => hands.size && !unanswered && send(pressed()), PATIENCE / 2);

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Future
 from functools import partial
 from math import floor, isfinite
 from operator import itemgetter
@@ -14,16 +15,19 @@ from motionlang.cli.command import Refused
 from motionlang.commands.panel.play import PER_SECOND, RELEASE, Action, ActionQueue, Play, PlayRecord
 from motionlang.commands.panel.play import in_words as change_in_words
 from motionlang.commands.panel.presses import Presses
+from motionlang.commands.panel.roles import NO_ROLES, Roles
 from motionlang.commands.panel.rule import in_words, rules
 from motionlang.commands.panel.scenario import NotSaved, save
 from motionlang.commands.panel.state import Data, contents, state_of, warnings_of
 from motionlang.exploration import TABLES, TEXTS, Change, Entry, FoundSwitches, tables_of
-from motionlang.kernel import Program, ProgramError, Run, dialect
+from motionlang.kernel import Program, ProgramError, Run, Source, dialect
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang import first_mistake
 
 # Reads the program and its machine file again; raises Refused or ProgramError.
 Load = Callable[[], tuple[Program, Mapping[str, object]]]
+# Explores a program in another process.
+Explore = Callable[[Source, Mapping[str, object]], Future[Roles]]
 # Characters of output that a page that is opened later is sent, and entries of the record.
 MAX_TEXT, MAX_RECORD = 100_000, 100
 # Characters of an answer.
@@ -38,10 +42,10 @@ class WrongAction(ValueError):
 
 
 class Cursor:
-    """The data that a page has: the number of the run, the characters of its output, the record, the notice."""
+    """The data that a page has: numbers of the run and its contents, characters of output, the record, the notice."""
 
     def __init__(self) -> None:
-        self.run = self.text = self.notice = self.state = -1
+        self.run = self.contents = self.text = self.notice = self.state = -1
         self.record = -1, -1
 
 
@@ -55,12 +59,22 @@ class PanelSession:
     _play: Play
 
     def __init__(
-        self, load: Load, file: str, watched: Sequence[str], overrides: Mapping[str, float | str]
+        self,
+        load: Load,
+        file: str,
+        watched: Sequence[str],
+        overrides: Mapping[str, float | str],
+        explore: Explore | None = None,
     ) -> None:
         self._load, self._file, self._watched, self._overrides = load, file, watched, overrides
         # What a person has let the panel add to the machine file: switches of axes, and rules of inputs by number.
         self._switches: dict[str, object] = {}
         self._followers: dict[int, Entry] = {}
+        self._explore = explore
+        # The program that is explored, what is known of it, and the kinds of inputs that a person has chosen.
+        self._explored: Program | None = None
+        self._roles = NO_ROLES
+        self._chosen: dict[int, str] = {}
         self._actions = ActionQueue()
         self.presses = Presses(self._press)
         # Held for what follows, which the threads of the pages read.
@@ -68,7 +82,7 @@ class PanelSession:
         self._contents: Data = {}
         self._state: Data = {}
         # The numbers of the last state, run and notice, and the length of the output with what is not stored any more.
-        self._states = self._runs = self._notices = 0
+        self._states = self._runs = self._made = self._notices = 0
         self._text, self._length = "", 0
         # The rules behind the inputs of the record, for so many entries of it.
         self._rules: dict[int, Entry] = {}
@@ -93,7 +107,6 @@ class PanelSession:
         goes_on: bool = True,
     ) -> None:
         """Begin another run, from now on the present one; its first state brings the notice."""
-        made = contents(program, dialect(program.language), settings)
         play = Play(
             program,
             settings,
@@ -106,12 +119,37 @@ class PanelSession:
             goes_on=goes_on,
         )
         with self._news:
-            self._play, self._contents, self._runs = play, made, self._runs + 1
+            self._play, self._runs = play, self._runs + 1
+            self._show_contents()
             # Nothing of the run before is shown as the state of this one.
             self._state, self._text, self._length = {}, "", 0
             self._explained, self._rules, self._warned = -1, {}, 0
             self.say(notice)
         play.start()
+
+    def _show_contents(self) -> None:
+        """Let the pages have the contents of the present run, as far as its program has been explored."""
+        program, settings = self._play.program, self._play.settings
+        with self._news:
+            roles = self._roles._replace(kinds={**self._roles.kinds, **self._chosen})
+            self._contents = contents(program, dialect(program.language), settings, roles)
+            self._made += 1
+            self._states += 1
+            self._news.notify_all()
+
+    def explore(self) -> None:
+        """Explore the present program, unless that has been done; the pages have the result when it is there."""
+        program, settings = self._play.program, self._play.settings
+        if self._explore is None or self._explored is program:
+            return
+        self._explored = program
+
+        def found(future: Future[Roles]) -> None:
+            if self._explored is program and not future.cancelled() and future.exception() is None:
+                self._roles = future.result()
+                self._show_contents()
+
+        self._explore(program.source, settings).add_done_callback(found)
 
     def close(self) -> None:
         """End the run."""
@@ -153,8 +191,10 @@ class PanelSession:
             if not self._news.wait_for(is_news, seconds):
                 return None
             found: Data = {"state": self._state}
-            if cursor.run != self._runs:
-                found["contents"] = {**self._contents, "run": self._runs}
+            if cursor.contents != self._made:
+                found["contents"], cursor.contents = self._contents, self._made
+            found["begins"] = cursor.run != self._runs
+            if found["begins"]:
                 cursor.run, cursor.text, cursor.record = self._runs, 0, (-1, -1)
             missing = self._length - cursor.text
             found["text"] = self._text[-missing:] if missing else ""
@@ -179,6 +219,7 @@ class PanelSession:
         """Take note of changes of the program and its machine file, and of pages that are gone, until `over`."""
         while not over.wait(CHECK):
             self.presses.expire()
+            self.explore()
             stamps = self._stamps()
             with self._news:
                 if stamps == self._noticed:
@@ -246,6 +287,11 @@ class PanelSession:
                 if entry is None:
                     raise WrongAction(f"no output explains the changes of input {number}")
                 return partial(self._follow, number=number, entry=entry)
+            case "kind":
+                number, kind = _whole(request, "number"), str(request.get("kind"))
+                if kind not in ("switch", "button"):
+                    raise WrongAction(f"an input is a switch or a button, not {kind}")
+                return partial(self._choose, number=number, kind=kind)
             case "save":
                 return self._save
         raise WrongAction("unknown action")
@@ -321,6 +367,11 @@ class PanelSession:
         down = self.presses.down
         for number in sorted(down | play.record.pressed):
             play.press(number, is_down=number in down)
+
+    def _choose(self, play: Play, number: int, kind: str) -> None:
+        """Let an input be a switch or a button from now on."""
+        self._chosen[number] = kind
+        self._show_contents()
 
     def _reply(self, play: Play, text: str, question: int) -> None:
         if not play.reply(text, question):

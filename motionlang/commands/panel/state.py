@@ -11,6 +11,7 @@ from motionlang.commands.map.channels import Channel
 from motionlang.commands.map.program_map import channels_of, names_in_comments
 from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.rest import SHADOW, TABLE_OF, seeking, tasks_of
+from motionlang.commands.panel.roles import Roles
 from motionlang.commands.panel.rule import in_words
 from motionlang.exploration import plain
 from motionlang.kernel import Dialect, Machine, Program, Rejected, Run, dialect
@@ -26,7 +27,7 @@ MEMORY = ("comms", "netdata", "dpr")
 # ---------------------------------------------------------------------------------------------------- what it has
 
 
-def contents(program: Program, language: Dialect, settings: Mapping[str, object]) -> Data:
+def contents(program: Program, language: Dialect, settings: Mapping[str, object], roles: Roles) -> Data:
     """Return what a page shows of a program on its machine as long as it runs."""
     used = channels_of(program, language)
     structure = program.structure
@@ -36,30 +37,34 @@ def contents(program: Program, language: Dialect, settings: Mapping[str, object]
     return {
         "file": program.source.name,
         "lines": program.source.text.split("\n"),
-        "inputs": [*_inputs(used, settings), *_others(used)],
+        "inputs": [*_inputs(used, settings, roles.kinds), *_others(used)],
         "outputs": [
             {"number": int(each.number), "name": each.name}
             for each in used
             if each.kind == "output" and each.number.isdecimal()
         ],
         "axes": [_axis(int(each.axis or 0), each.name, settings) for each in moved],
+        "stops": roles.stops,
         "keys": bool(held),
         "holds": "" in held,
     }
 
 
-def _inputs(used: Sequence[Channel], settings: Mapping[str, object]) -> list[Data]:
-    """Return the digital inputs: those of the program, and those that only the machine file has."""
+def _inputs(used: Sequence[Channel], settings: Mapping[str, object], kinds: Mapping[int, str]) -> list[Data]:
+    """Return the digital inputs: those of the program, and those that the machine file or an exploration has.
+
+    An input without one of the `kinds` is a button if the program waits for it and does not read it elsewhere.
+    """
     found = {int(each.number): each for each in used if each.kind == "input" and each.number.isdecimal()}
     driven: dict[int, Mapping[str, object]] = {}
     for entry in settings.get("input", ()):  # type: ignore[attr-defined]
         driven.setdefault(entry["channel"], entry)
     rows = []
-    for number in sorted(found.keys() | driven.keys()):
+    for number in sorted(found.keys() | driven.keys() | kinds.keys()):
         channel, entry = found.get(number), driven.get(number)
         name = channel.name if channel is not None else str((entry or {}).get("name", ""))
         is_awaited = channel is not None and (channel.waits or channel.starts) and not channel.reads
-        kind = "button" if is_awaited else "switch"
+        kind = kinds.get(number, "button" if is_awaited else "switch")
         rows.append(_row("input", number, name, kind, channel))
         rows[-1]["driven"] = "" if entry is None else _driver(entry)
     return rows
@@ -139,6 +144,9 @@ def state_of(play: Play, made: Data) -> Data:
         "moves": [
             [round(each.start_time, 3), each.axis, each.line] for each in machine.log.moves[-MAX_MOVES:]
         ],
+        "moving": sorted(
+            {each.line for each in machine.log.moves[-MAX_MOVES:] if each.axis in machine.moving()}
+        ),
         "pending": play.pending,
     }
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 from time import monotonic
 from typing import Any
 
 from motionlang.commands.panel.play import Play
+from motionlang.commands.panel.roles import Roles
 from motionlang.commands.panel.session import Cursor, PanelSession
 from motionlang.kernel import Program, ProgramError, Source, dialect_for, settings_next_to
 
@@ -114,8 +116,9 @@ class Hand:
         found = self.session.updates(self._cursor, seconds)
         if found is None:
             return
-        if "contents" in found:
-            self.contents, self.text = found["contents"], ""
+        self.contents = found.get("contents", self.contents)
+        if found["begins"]:
+            self.text = ""
         self.state = found["state"]
         if self.state["mode"] != "starts":
             assert len(self.state["axes"]) == len(self.contents["axes"])
@@ -128,9 +131,16 @@ class Hand:
 
 @contextmanager
 def operated(
-    path: Path, text: str | None = None, overrides: Mapping[str, float | str] | None = None
+    path: Path,
+    text: str | None = None,
+    overrides: Mapping[str, float | str] | None = None,
+    *,
+    explore: Callable[[Source, Mapping[str, object]], Roles] | None = None,
 ) -> Iterator[Hand]:
-    """Write a program, if one is given, and operate it; it is paused at power-up."""
+    """Write a program, if one is given, and operate it; it is paused at power-up.
+
+    `explore` is called in a thread, in place of a process.
+    """
     if text is not None:
         path.write_text(text, encoding="utf-8")
 
@@ -141,7 +151,14 @@ def operated(
             raise ProgramError(program.errors)
         return program, settings
 
-    session = PanelSession(load, str(path), [str(path)], overrides or {})
+    threads = ThreadPoolExecutor(1)
+    session = PanelSession(
+        load,
+        str(path),
+        [str(path)],
+        overrides or {},
+        explore and (lambda source, settings: threads.submit(explore, source, settings)),
+    )
     hand = Hand(session)
     hand("pause")
     try:
@@ -150,3 +167,4 @@ def operated(
         yield hand
     finally:
         session.close()
+        threads.shutdown()

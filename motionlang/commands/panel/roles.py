@@ -1,0 +1,37 @@
+"""What an exploration knows of the inputs of a program: switches and buttons, and inputs that would stop a move."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from motionlang.exploration import explore, without_world
+from motionlang.kernel import Source, dialect_for
+
+
+class Roles(NamedTuple):
+    """The kind of each input, "switch" or "button", and the inputs that each line that moves an axis must not meet."""
+
+    kinds: Mapping[int, str]
+    stops: Mapping[int, list[int]]
+
+
+NO_ROLES = Roles({}, {})
+
+
+def roles_of(source: Source, settings: Mapping[str, object]) -> Roles:
+    """Explore a program: an input that stays on through its cycle is a switch, one that comes on in it a button."""
+    world = without_world(settings)
+    found = explore(dialect_for(source, None).program(source, world, is_debug=True), world)
+    cycle = found.world.cycle
+    changed = [each for one in cycle.transitions for each in one.causes if each.table == "input"]
+    kinds = {number: "switch" for number, level in cycle.visit.levels.items() if level}
+    kinds |= {each.number: "button" for each in changed if each.value or kinds.get(each.number)}
+    stops: dict[int, set[int]] = defaultdict(set)
+    for node in found.nodes:
+        for one in node.transitions:
+            for each in one.causes:
+                if each.moment.line:
+                    stops[each.moment.line].add(each.number)
+    return Roles(kinds, {line: sorted(numbers) for line, numbers in stops.items()})
