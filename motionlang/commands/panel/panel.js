@@ -8,6 +8,7 @@ const SPAN = 20; // seconds of the chart
 const MAX_ROWS = 2000; // rows of the terminal that stay
 const REPEAT = 80; // ms between two presses of a key that is held, which lasts 100 ms
 const PATIENCE = 1000; // ms until a page says that it has no answer
+const NOTICE = 10000; // ms for which a notice stays
 const NO_ANSWER = "no answer yet: motionlang panel is busy";
 const GONE = "motionlang panel does not answer: see whether it still runs";
 const find = (id) => document.getElementById(id);
@@ -45,8 +46,12 @@ async function post(request) {
   }
 }
 
+let said = null; // the timer of the notice
+
 function say(text) {
   find("notice").textContent = text;
+  clearTimeout(said);
+  said = setTimeout(() => (find("notice").textContent = ""), NOTICE);
 }
 
 function element(tag, text = "", attributes = {}) {
@@ -292,21 +297,23 @@ function axis(row, index) {
   colour.style.background = COLOURS[index % COLOURS.length];
   title.prepend(colour);
   line.append(title, position, target, speed, words);
-  if (row.range) line.append(element("small", `limits ${row.range.join(" to ")}`));
+  const range = element("small", row.range ? `limits ${row.range.join(" to ")}` : "");
+  line.append(range);
   const track = element("div", "", { class: "track", "aria-hidden": "true" });
   const fill = element("i");
   const aim = element("b");
   track.append(fill, aim);
-  const put = element("button", "give it a switch", { "aria-label": `axis ${row.number} finds no switch or mark: give it one` });
-  put.addEventListener("click", () => send({ do: "switch" }));
-  place.append(line, track, put);
-  let [low, high] = row.range ?? [0, 1];
+  const give = element("button", "give it a switch", { "aria-label": `axis ${row.number} finds no switch or mark: give it one` });
+  give.addEventListener("click", () => send({ do: "switch" }));
+  place.append(line, track, give);
+  let [low, high] = row.range ?? [0, 0];
   return {
     place,
     update() {
       const [at, velocity, end, what] = state.axes[index];
       if (!row.range) for (const each of [at, end]) if (each !== null) [low, high] = [Math.min(low, each), Math.max(high, each)];
-      const share = (value) => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low)))}%`;
+      if (!row.range) put(range, `so far ${figure(low)} to ${figure(high)}`);
+      const share = (value) => `${Math.min(100, Math.max(0, (100 * (value - low)) / (high - low || 1)))}%`;
       fill.style.width = share(at ?? low);
       aim.hidden = end === null;
       aim.style.left = share(end ?? low);
@@ -315,7 +322,7 @@ function axis(row, index) {
       speed.textContent = velocity ? `${figure(velocity)}/s` : "at rest";
       words.textContent = what;
       words.classList.toggle("fault", what.includes("error"));
-      put.hidden = !state.homing.includes(row.number);
+      give.hidden = !state.homing.includes(row.number);
     },
   };
 }
@@ -496,7 +503,7 @@ function record(entries) {
     row.append(button);
     return row;
   });
-  find("record").replaceChildren(...made);
+  find("record").replaceChildren(...made.reverse());
 }
 
 // ---------------------------------------------------------------------------------------------------------- keys
@@ -551,6 +558,7 @@ function listen() {
     window.addEventListener(end, (event) => [...hands.keys()].forEach((number) => lift(number, event.pointerId ?? "key")));
   }
   document.addEventListener("visibilitychange", () => (document.hidden ? (liftAll(), state && events.close()) : connect()));
+  window.addEventListener("resize", () => samples.length && draw());
   for (const end of ["blur", "pagehide"]) window.addEventListener(end, () => (released(), liftAll()));
   setInterval(() => hands.size && !unanswered && send(pressed()), PATIENCE / 2);
   connect();

@@ -21,12 +21,18 @@ NO_ROLES = Roles({}, {})
 
 
 def roles_of(source: Source, settings: Mapping[str, object]) -> Roles:
-    """Explore a program: an input that stays on through its cycle is a switch, one that comes on in it a button."""
+    """Explore a program: an input that is on all through its cycle is a switch, one that comes on in it a button."""
     world = without_world(settings)
     found = explore(dialect_for(source, None).program(source, world, is_debug=True), world)
     cycle = found.world.cycle
     changed = [each for one in cycle.transitions for each in one.causes if each.table == "input"]
-    kinds = {number: "switch" for number, level in cycle.visit.levels.items() if level}
+    read = {
+        number
+        for channels in found.turns(cycle, 1).readings.values()
+        for (table, number), spans in channels.items()
+        if table == "input" and spans[-1].last > cycle.visit.change_time
+    }
+    kinds = {number: "switch" for number, level in cycle.visit.levels.items() if level and number in read}
     kinds |= {each.number: "button" for each in changed if each.value or kinds.get(each.number)}
     stops: dict[int, set[int]] = defaultdict(set)
     for node in found.nodes:

@@ -23,6 +23,8 @@ from motionlang.kernel.tracks import axes_of
 
 # A printed line is expected within so many seconds, and a position within so many user units.
 NEAR, WITHIN = 0.05, 0.001
+# The digits of a time, s.
+DIGITS = 4
 # A run that only waits at its end may be so many times as long.
 SPARE = 10
 # So many printed lines are expected at most, from the first and the last ones.
@@ -87,7 +89,7 @@ def world_of(play: Play, below: Mapping[str, object]) -> dict[str, object]:
     above: dict[str, object] = {
         key: value for key, value in settings.items() if below.get(key) != value and key != "expect"
     }
-    above["run.until"] = now if play.result is None else ceil(now) + 1.0
+    above["run.until"] = round(now, DIGITS) if play.result is None else ceil(now) + 1.0
     done = PlayRecord(
         [each for each in record.changes if each[0] < now or play.result is not None], record.answers
     )
@@ -151,7 +153,7 @@ def _history(play: Play, taken: set[int], now: float) -> list[Entry]:
     """Return all changes of inputs that both the machine file and a hand have changed."""
     assert play.machine is not None
     return [
-        {"channel": each.channel, "at": each.time, "value": each.value}
+        {"channel": each.channel, "at": round(each.time, DIGITS), "value": each.value}
         for each in play.machine.log.inputs
         if each.channel in taken and each.time < now
     ]

@@ -9,6 +9,7 @@ from concurrent.futures import Future
 from functools import partial
 from math import floor, isfinite
 from operator import itemgetter
+from time import monotonic
 from typing import Any
 
 from motionlang.cli.command import Refused
@@ -35,6 +36,8 @@ MAX_LINE = 200
 MIN_SPEED, MAX_SPEED = 0.1, 100.0
 # Real time between two checks of the files and of the buttons that pages press, s.
 CHECK = 0.5
+# Real time after which a page that is opened does not show a notice any more, s.
+NOTICE = 10.0
 
 
 class WrongAction(ValueError):
@@ -87,7 +90,7 @@ class PanelSession:
         # The rules behind the inputs of the record, for so many entries of it.
         self._rules: dict[int, Entry] = {}
         self._explained = -1
-        self._notice = ""
+        self._notice, self._said = "", 0.0
         # How often the run has warned, as far as the pages know.
         self._warned = 0
         # The state of the files that the program was read from, and that of which the pages know.
@@ -204,7 +207,7 @@ class PanelSession:
                 found["record"] = _entries(record)
                 found["rules"] = {number: in_words(entry) for number, entry in self._rules.items()}
             found["changed"] = self._noticed != self._read
-            if cursor.notice != self._notices:
+            if cursor.notice != self._notices and monotonic() < self._said + NOTICE:
                 found["notice"] = self._notice
             cursor.text, cursor.state, cursor.notice = self._length, self._states, self._notices
             return found
@@ -212,7 +215,7 @@ class PanelSession:
     def say(self, notice: str) -> None:
         """Show a sentence on all pages."""
         with self._news:
-            self._notice, self._notices = notice, self._notices + 1
+            self._notice, self._notices, self._said = notice, self._notices + 1, monotonic()
             self._news.notify_all()
 
     def watch(self, over: threading.Event) -> None:

@@ -18,6 +18,7 @@ from motionlang.kernel import Program, ProgramError, Source, dialect_for, settin
 # Seconds of real time after which a test gives up.
 PATIENCE = 30.0
 State = Mapping[str, Any]
+Explore = Callable[[Source, Mapping[str, object]], Roles]
 
 # A press: START feeds a part, which a hand has put in; it is off again, or the press waits.
 PRESS = """\
@@ -135,7 +136,7 @@ def operated(
     text: str | None = None,
     overrides: Mapping[str, float | str] | None = None,
     *,
-    explore: Callable[[Source, Mapping[str, object]], Roles] | None = None,
+    explore: Explore | None = None,
 ) -> Iterator[Hand]:
     """Write a program, if one is given, and operate it; it is paused at power-up.
 

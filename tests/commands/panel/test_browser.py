@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from motionlang.commands.panel.roles import Roles
 from motionlang.commands.panel.server import MAX_PAGES, PanelServer
+from motionlang.kernel import Source
 from tests.commands.panel.browser import PATIENCE, Browser, Tab, browsing, needs_chromium
 from tests.commands.panel.hands import Hand
 from tests.commands.panel.test_server import Page, served
@@ -185,4 +187,50 @@ def test_a_double_click_answers_one_question(browser: Browser, tmp_path: Path) -
         tab.until("/just changed|came too late/.test(document.querySelector('#notice').textContent)")
         hand.sees(lambda state: state["question"] == "speed")
         assert [words for _, words in hand.record] == ["answer 10"]
+        tab.close()
+
+
+def test_the_newest_action_is_first_an_axis_has_its_range_so_far_and_a_notice_goes(
+    hand: Hand, tab: Tab
+) -> None:
+    tab.js("(window.setTimeout = ((real) => (act, ms) => real(act, ms / 100))(setTimeout), 0)")
+    tab.click("input 2 part in, hold")
+    is_on(hand, 2)
+    tab.click("input 1 start, hold")
+    is_on(hand, 1, 2)
+    tab.until("document.querySelector('#record li').textContent.endsWith('input 1 on')")
+    tab.until("document.querySelector('.axis small').textContent === 'so far 0.00 to 20.00'")
+    tab.click("save")
+    hand.hears("saved ")
+    says(tab, "")
+
+
+def test_the_buttons_of_the_header_are_one_line_on_a_phone(tab: Tab) -> None:
+    tab.do("Emulation.setDeviceMetricsOverride", width=400, height=800, deviceScaleFactor=1, mobile=True)
+    tab.middle(START)
+    assert tab.js("document.querySelector('.top').clientHeight") < 50
+    assert tab.js("document.documentElement.scrollWidth") <= 400
+
+
+def test_a_press_goes_on_when_the_exploration_ends(browser: Browser, tmp_path: Path) -> None:
+    is_free = threading.Event()
+
+    def explore(source: Source, settings: object) -> Roles:
+        is_free.wait(PATIENCE)
+        return Roles({1: "button", 2: "switch", 7: "button"}, {})
+
+    with served(tmp_path / "press.mnt", explore=explore) as (hand, server):
+        hand("run")
+        tab = browser.tab(server.address)
+        tab.press(START)
+        is_on(hand, 1)
+        is_free.set()
+        tab.until("document.querySelectorAll('.push').length === 2")
+        tab.middle("input 7")
+        began = hand.state["t"]
+        assert hand.sees(lambda state: state["t"] > began + 2)["inputs"] == {1: 1}
+        tab.mouse("Released")
+        is_on(hand)
+        tab.click("make input 7 a switch")
+        tab.until("document.querySelectorAll('.push').length === 1")
         tab.close()

@@ -50,6 +50,19 @@ def test_a_guard_is_a_switch_and_stops_the_move(tmp_path: Path) -> None:
     assert found == Roles({1: "button", 2: "switch"}, {7: [2, 3]})
 
 
+def test_a_guard_that_is_only_waited_for_is_a_switch_and_a_reset_is_none(tmp_path: Path) -> None:
+    text = """\
+Pause INX(5)
+Loop
+  Pause INX(2)
+  Pause INX(1)
+  OUTX(1) = 1 : MOVER(0) = 5 : GO(0) : Pause IDLE(0) : OUTX(1) = 0
+  Pause INX(1) = 0
+End Loop
+"""
+    assert roles_of(Source(str(tmp_path / "guard.mnt"), text), {}).kinds == {1: "button", 2: "switch"}
+
+
 def test_an_input_whose_number_is_computed_has_a_button_once_the_program_is_explored(tmp_path: Path) -> None:
     with operated(tmp_path / "channel.mnt", CHANNEL, explore=roles_of) as hand:
         assert hand.contents["inputs"] == []

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from motionlang.commands.panel.server import PanelServer
-from tests.commands.panel.hands import PRESS, Hand, operated
+from tests.commands.panel.hands import PRESS, Explore, Hand, operated
 
 
 class Page:
@@ -57,8 +57,10 @@ class Page:
 
 
 @contextmanager
-def served(path: Path, text: str = PRESS) -> Iterator[tuple[Hand, PanelServer]]:
-    with operated(path, text) as hand:
+def served(
+    path: Path, text: str = PRESS, explore: Explore | None = None
+) -> Iterator[tuple[Hand, PanelServer]]:
+    with operated(path, text, explore=explore) as hand:
         server = PanelServer(hand.session)
         thread = threading.Thread(target=server.serve, daemon=True)
         thread.start()
