@@ -194,7 +194,7 @@ function digital(row) {
   const main = row.kind === "button" ? push(row) : toggle(name(row), row);
   const hold = row.kind === "button" ? toggle("hold", row) : null;
   const other = row.kind === "button" ? "switch" : "button";
-  const turn = element("button", "⇄", { class: "kind", title: `make it a ${other}`, "aria-label": `make ${name(row)} a ${other}` });
+  const turn = element("button", "⇄", { class: "kind", title: `make it a ${other}`, "aria-label": `make ${row.title} a ${other}` });
   turn.addEventListener("click", () => send({ do: "kind", number: row.number, kind: other }));
   const stops = element("small", "stops this move", { class: "stops" });
   const by = element("small");
