@@ -25,10 +25,15 @@ MOVE, OUTPUT = 3.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
 # Work without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
 JOGGING = 5.0
-# Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, takes less
-# time, s, and says less of what is wrong.
-KEPT, SWITCHED, SECOND, WRONG = 0.0001, 0.001, 0.001, 20.0
-_WRONG = re.compile(r"bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out", re.IGNORECASE)
+# A cycle that says something, and nothing of what is wrong, makes a piece.
+SAID, WRONG = 2.0, 20.0
+# Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
+# time, s.
+KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
+# Words of what is wrong, but for none of it: "0 bad".
+_WRONG = re.compile(
+    r"(?<!\b0 )(?<!\bno )(?:bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out)", re.IGNORECASE
+)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
@@ -187,5 +192,6 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
             + SECOND * each.seconds
         )
         value -= STATE * (not answers)
-    said = (act.words for each in transitions for act in each.acts if not act.subject)
-    return value + STATE - SWITCHED * len(outputs) - WRONG * bool(wrong(said))
+    said = [act.words for each in transitions for act in each.acts if not act.subject]
+    value -= WRONG if wrong(said) else -SAID * bool(said)
+    return value + STATE - SWITCHED * len(outputs)
