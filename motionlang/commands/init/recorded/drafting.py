@@ -18,7 +18,13 @@ from motionlang.commands.compare.drift import clock_text
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import inline
 from motionlang.commands.init.recorded.axes import axis_remarks, stroke_clock, switches
-from motionlang.commands.init.recorded.levels import levels_of
+from motionlang.commands.init.recorded.judging import (
+    JudgedRules,
+    judged,
+    missed_text,
+    recorded_rules,
+    settings_of,
+)
 from motionlang.commands.init.recorded.outcome import (
     LONGER,
     SWAPPED,
@@ -36,8 +42,8 @@ from motionlang.commands.init.recorded.recording import (
     short_remarks,
     since,
 )
-from motionlang.commands.init.recorded.rules import MeasuredRule, rule_of
-from motionlang.commands.init.recorded.unrecorded import Tables, fitted, in_words, subject
+from motionlang.commands.init.recorded.rules import MeasuredRule, rules_of
+from motionlang.commands.init.recorded.unrecorded import FittedWorld, Tables, fitted, in_words, subject
 from motionlang.exploration import TABLES, Entry, entries
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.tools import count_of
@@ -69,21 +75,27 @@ def measure(
     `drafting` explores the program with given settings; a run ends at `until`, s.
     """
     recording, sentences = power_up_of(program, raw, board)
-    draft = drafting({**board, **entries_of(recording)[1]})
+
+    def alone(measured: Mapping[str, object]) -> Run:
+        return program_run(program, {**board, **measured}, LONGER * recording.end)
+
+    rules = judged(recording, alone).rules
+    draft = drafting({**board, **settings_of(rules, recording)[0]})
     missed = _missed_inputs(draft.run, recording)
     if missed:
         sentences += missed.values()
         seen = {number: each for number, each in recording.inputs.items() if number not in missed}
         recording = replace(recording, inputs=seen)
-        draft = drafting({**board, **entries_of(recording)[1]})
+        rules = {number: rule for number, rule in rules.items() if number not in missed}
+        draft = drafting({**board, **settings_of(rules, recording)[0]})
     guesses = {table: draft.entries(table) for table in TABLES}
     sentences += unread(program, raw, guesses)
-    check_program(program, draft.run, recording)
 
     def play(measured: Mapping[str, object], tables: Tables, end: float) -> Run:
         return program_run(program, _world(draft, {**board, **measured}, tables), end)
 
     found = refined(recording, guesses, draft.exploration.switches.axes, play)
+    check_program(program, found, recording)
     draft = replace(
         draft,
         world=draft.world._replace(settings=found.tables),
@@ -104,6 +116,8 @@ class Refined(NamedTuple):
     comments: dict[str, str]
     tables: dict[str, list[Entry]]
     sentences: list[str]
+    run: Run
+    refuted: tuple[MeasuredRule, ...]
 
 
 def refined(
@@ -116,21 +130,45 @@ def refined(
 
     `play` runs the program with measured settings and such entries up to a time.
     """
-    rules, given, comments = entries_of(recording)
-    measured = given
-    found = fitted(guesses, recording, lambda tables: play(measured, tables, LONGER * recording.end))
+    end = LONGER * recording.end
+    found, rules = _fitted(recording, guesses, lambda given, tables: play(given, tables, end))
     sentences: list[str] = []
     measure_clock = stroke_clock if recording.positions else clock_of
-    clock = measure_clock(found.run, recording)
+    clock = measure_clock(rules.run, recording)
     if clock is not None:
         sentences.append(clock_text(clock))
         recording, found = since(recording, 0.0, clock), found.corrected(clock)
-        rules, given, comments = entries_of(recording)
+        rules = judged(recording, lambda given: play(given, found.tables, end))
+    given, comments = settings_of(rules.rules, recording)
     sentences += in_words(found)
-    sentences += axis_remarks(found.run, recording)
-    settings, texts = switches(found.run, recording, guessed_switches)
+    sentences += axis_remarks(rules.run, recording)
+    settings, texts = switches(rules.run, recording, guessed_switches)
     comments |= {inline({**entry, "guess": True}): BEST for _, entry in found.changed}
-    return Refined(recording, rules, given | settings, comments | texts, found.tables, sentences)
+    return Refined(
+        recording,
+        rules.rules,
+        given | settings,
+        comments | texts,
+        found.tables,
+        sentences,
+        rules.run,
+        rules.refuted,
+    )
+
+
+def _fitted(
+    recording: MeasuredRecording, guesses: Tables, play: Callable[[Mapping[str, object], Tables], Run]
+) -> tuple[FittedWorld, JudgedRules]:
+    """Return the entries that no column has, as the recording needs them, and the rules of the inputs.
+
+    What the program does with the inputs as recorded shows when these entries came; that they were right, the rules.
+    """
+    rules = judged(recording, lambda given: play(given, guesses))
+    if not any(guesses.values()):
+        return FittedWorld({table: [*each] for table, each in guesses.items() if each}, rules.run, []), rules
+    given, _ = settings_of(rules.rules if recording.is_late else recorded_rules(recording), recording)
+    found = fitted(guesses, recording, lambda tables: play(given, tables))
+    return found, judged(recording, lambda measured: play(measured, found.tables))
 
 
 def power_up_of(
@@ -157,41 +195,26 @@ def power_up_of(
     return since(replace(raw, is_late=bool(late)), zero), sentences
 
 
-def check_program(program: Program, result: Run, recording: MeasuredRecording) -> None:
-    """Raise ProgramError if a recording is not one of the program of a run."""
-    found = matched(result, recording, ("output",))
-    if found.is_other_program:
-        raise ProgramError.of("recording", _other_program(program, found), hint=OTHER_PROGRAM)
+def check_program(program: Program, found: Refined, recording: MeasuredRecording) -> None:
+    """Raise ProgramError if a recording is not one of a program, whatever the rules."""
+    marks = matched(found.run, recording, ("output",))
+    if marks.is_other_program:
+        text = _other_program(program, marks)
+        refuted = dict.fromkeys(
+            f"input {rule.entries[0]['channel']} by {rule.subject}" for rule in found.refuted if rule.subject
+        )
+        text += f"; tried: {', '.join(refuted)}, and all inputs as recorded" if refuted else ""
+        raise ProgramError.of("recording", text, hint=OTHER_PROGRAM)
 
 
 def entries_of(
     recording: MeasuredRecording,
 ) -> tuple[dict[int, MeasuredRule], dict[str, object], dict[str, str]]:
-    """Return the rules of the inputs, the settings with them, and the comment of each entry."""
-    rules = {number: rule_of(number, each, recording) for number, each in sorted(recording.inputs.items())}
-    comments: dict[str, str] = {}
-    inputs: list[Entry] = []
-    for rule in rules.values():
-        for entry, text in zip(rule.entries, rule.comments, strict=True):
-            made = {**entry, "guess": True} if rule.is_guess else entry
-            inputs.append(made)
-            comments[inline(made)] = text + _missed_text(rule)
-    levels = [
-        each for number, series in sorted(recording.analogue.items()) for each in levels_of(number, series)
-    ]
-    comments |= {inline(entry): text for entry, text in levels}
-    given: dict[str, object] = {"input": inputs} if inputs else {}
-    if levels:
-        given["analogue"] = [entry for entry, _ in levels]
-    return rules, given, comments
-
-
-def _missed_text(rule: MeasuredRule) -> str:
-    if not rule.missed:
-        return ""
-    times = ", ".join(f"{each:.4g}" for each in rule.missed[:3])
-    more = f" and {len(rule.missed) - 3} more" if len(rule.missed) > 3 else ""
-    return f"; not after {rule.subject} at {times} s{more}"
+    """Return the likeliest rules of the inputs, the settings with them, and the comment of each entry."""
+    rules = {
+        number: rules_of(number, each, recording)[0] for number, each in sorted(recording.inputs.items())
+    }
+    return rules, *settings_of(rules, recording)
 
 
 def _power_up(
@@ -353,7 +376,7 @@ def rules_in_words(rules: Mapping[int, MeasuredRule]) -> Iterator[str]:
             yield f"input {number}: no rule explains its {count}; they are written as recorded"
         elif rule.missed:
             yield (
-                f"input {number} follows {rule.subject}, but{_missed_text(rule).removeprefix(';')}: "
+                f"input {number} follows {rule.subject}, but{missed_text(rule).removeprefix(';')}: "
                 "it stays a guess"
             )
         if rule.others:

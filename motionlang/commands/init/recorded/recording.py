@@ -146,6 +146,14 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
         )
         return Digital(channel.column, before[-1] if before else channel.first, changes, channel.bounces)
 
+    def switched(channel: Digital) -> Digital:
+        found = digital(channel)
+        if recording.is_late or not found.first:
+            return found
+        # It was off before power-up, and is on in the first row.
+        on = RecordedChange(0.0, 1, recording.step / clock)
+        return found._replace(first=0, changes=(on, *found.changes))
+
     def series(each: Series) -> Series:
         later = each.times >= zero
         return Series(each.column, (each.times[later] - zero) / clock, each.values[later])
@@ -156,7 +164,7 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
         end=(recording.end - zero) / clock,
         step=recording.step / clock,
         inputs={number: digital(each) for number, each in recording.inputs.items()},
-        outputs={number: digital(each) for number, each in recording.outputs.items()},
+        outputs={number: switched(each) for number, each in recording.outputs.items()},
         analogue={number: series(each) for number, each in recording.analogue.items()},
         positions={number: series(each) for number, each in recording.positions.items()},
         gaps=tuple(((a - zero) / clock, (b - zero) / clock) for a, b in recording.gaps),

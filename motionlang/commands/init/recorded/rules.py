@@ -101,28 +101,35 @@ class MeasuredRule(NamedTuple):
         return self.seen < SEEN or bool(self.missed) or not self.is_explained
 
 
-def rule_of(number: int, channel: Digital, recording: MeasuredRecording) -> MeasuredRule:
-    """Return the rule that explains an input."""
+def rules_of(number: int, channel: Digital, recording: MeasuredRecording) -> list[MeasuredRule]:
+    """Return the rules that may explain an input, the likeliest first; the last one is its changes as recorded."""
     if not channel.changes:
         text = f"{'on' if channel.first else 'off'} in all of the recording"
         constant: Entry = {"channel": number, "at": 0.0, **({} if channel.first else {"value": 0})}
-        return MeasuredRule("", (constant,), (text,), SEEN, 0.0, 0)
+        return [MeasuredRule("", (constant,), (text,), SEEN, 0.0, 0)]
     found = [*_following(number, channel, recording), *_along_axes(number, channel, recording)]
     found += [*_every(number, channel, recording), *_once(number, channel, recording)]
-    if not found:
-        return _one_by_one(number, channel)
-    least = min(len(each.missed) for each in found)
-    found = [each for each in found if len(each.missed) == least]
-    best = min(each.spread for each in found) + 2.0 * recording.step
-    found = sorted(
-        (each for each in found if each.spread <= best),
-        key=lambda each: (each.size, each.delay, each.subject),
+    least = min((len(each.missed) for each in found), default=0)
+    best = (
+        min((each.spread for each in found if len(each.missed) == least), default=0.0) + 2.0 * recording.step
     )
-    chosen, *equal = found
-    others = dict.fromkeys(each.subject for each in equal if each.subject and each.subject != chosen.subject)
-    is_simpler = any(each.size > chosen.size for each in equal if each.subject in others)
-    reason = "is simpler" if is_simpler else "changes last before it"
-    return chosen._replace(others=tuple(others), reason=reason)
+
+    def is_equal(rule: MeasuredRule) -> bool:
+        return len(rule.missed) == least and rule.spread <= best
+
+    found.sort(key=lambda each: (not is_equal(each), len(each.missed), each.size, each.delay, each.subject))
+    equal = [each for each in found if is_equal(each)]
+    rules = [_with_others(each, equal[k + 1 :]) if k < len(equal) else each for k, each in enumerate(found)]
+    return [*rules, as_recorded(number, channel)]
+
+
+def _with_others(rule: MeasuredRule, equal: Sequence[MeasuredRule]) -> MeasuredRule:
+    """Return a rule with those that explain an input equally well, and why not these."""
+    others = dict.fromkeys(each.subject for each in equal if each.subject and each.subject != rule.subject)
+    is_simpler = any(each.size > rule.size for each in equal if each.subject in others)
+    return rule._replace(
+        others=tuple(others), reason="is simpler" if is_simpler else "changes last before it"
+    )
 
 
 def _figure(values: Sequence[float], unit: str = "s") -> MeasuredFigure:
@@ -153,15 +160,18 @@ def _paired(
 ) -> _Pairs | None:
     """Pair each change of an input with the last cause before it; None if one has no cause at a usual time before.
 
-    `causes` have the level that they lead to. A change without a cause may come from before the recording, or from a
-    gap.
+    `causes` have the level that they lead to. A change without a cause may come from a gap, or from before a recording
+    that begins after power-up.
     """
     by_level = {level: [each for each in causes if each.level == level] for level in (0, 1)}
     times = {level: [each.time for each in by_level[level]] for level in (0, 1)}
     found: list[tuple[RecordedChange, RecordedChange]] = []
     without: list[RecordedChange] = []
+    # What changes in the same row may be the effect: a run judges, but not one of a recording that begins later.
+    rows = -1e-9 if recording.is_late else recording.step / 2
     for each in changes:
-        at = bisect_right(times[each.level], each.time + each.within + recording.step / 2) - 1
+        latest = each.time + rows + (0.0 if recording.is_late else each.within)
+        at = bisect_right(times[each.level], latest) - 1
         if at < 0:
             without.append(each)
         else:
@@ -180,7 +190,8 @@ def _paired(
             without.append(each)
     for each in without:
         since = each.time - 1.5 * usual.get(each.level, 0.0) - 2.0 * recording.step
-        if since > recording.begin and not recording.has_gap(since, each.time):
+        is_before = recording.is_late and since <= recording.begin
+        if not is_before and not recording.has_gap(since, each.time):
             return None
     used = {(cause.time, cause.level) for cause, _ in pairs}
     if len(used) < len(pairs):  # two changes cannot have the same cause
@@ -444,11 +455,13 @@ def _every(number: int, channel: Digital, recording: MeasuredRecording) -> Itera
     starts = [each.time for each in channel.changes if each.level != channel.first]
     lengths = [b.time - a.time for a, b in pairwise(channel.changes) if a.level != channel.first]
     periods = [b - a for a, b in pairwise(starts)]
-    if channel.first or len(starts) < SEEN or not lengths or not _agree(periods, recording):
+    if channel.first or len(starts) < SEEN or not lengths or not _agree(lengths, recording):
         return
     period, length = _figure(periods), _figure(lengths)
     drift = max(abs(each - starts[0] - k * period.value) for k, each in enumerate(starts))
-    if not _agree(lengths, recording) or drift > _tolerance(period.value, recording):
+    if drift > max(
+        SPREAD, SPREAD_ROWS * recording.step
+    ):  # a clock, not a person who is about as fast each time
         return
     mean = round((starts[-1] - starts[0]) / (len(starts) - 1), PLACES)
     entry: Entry = {"channel": number, "at": round(starts[0], PLACES), "for": length.value, "every": mean}
@@ -478,8 +491,8 @@ def _once(number: int, channel: Digital, recording: MeasuredRecording) -> Iterat
         yield MeasuredRule("time", ({**entry, "for": length},), ("once",), 1, 0.0, 1)
 
 
-def _one_by_one(number: int, channel: Digital) -> MeasuredRule:
-    """Return the recorded changes of an input that no rule explains."""
+def as_recorded(number: int, channel: Digital) -> MeasuredRule:
+    """Return the recorded changes of an input, which no rule explains."""
     entries: list[Entry] = [{"channel": number, "at": 0.0}] if channel.first else []
     entries += [
         {"channel": number, "at": round(each.time, PLACES), "value": each.level} for each in channel.changes

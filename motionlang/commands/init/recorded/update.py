@@ -15,7 +15,6 @@ from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.init.recorded.drafting import (
     Refined,
     check_program,
-    entries_of,
     outcome,
     power_up_of,
     program_run,
@@ -57,9 +56,8 @@ def update(
             world[table] = [*entries(world, table), *mine]
         return program_run(program, world, end)
 
-    _, measured, _ = entries_of(recording)
-    check_program(program, play(measured, guesses, until), recording)
     found = refined(recording, guesses, _guessed_switches(settings), play)
+    check_program(program, found, recording)
     measured = found.given
     sentences += found.sentences
     sentences += outcome(play(measured, found.tables, until), found.recording)

@@ -1,0 +1,234 @@
+"""The rules of the inputs together: the run judges which of those that may explain an input are right.
+
+Problem. Several rules explain the recorded changes of an input, and some are false: a valve that a button switches
+explains the button, too, if the presses come at regular times. No form of a rule tells a cause from its effect.
+
+Idea. The program runs. A rule is right if the run with it switches the recorded outputs and changes the input as it was
+recorded. A rule that makes an input follow what the input itself leads to never begins.
+
+    the likeliest rule of each input      if all of it agrees, that is it
+    all inputs as recorded                what the program does with what was recorded
+    one input after the other             its rules in their order, until one agrees as well as its recorded changes
+
+So the suspect is always the one input whose rule has changed. If a cause had no effect at a time, a rule is judged up
+to there. Times count from the mark before, so that an entry that comes late moves what follows, and does not spoil it.
+
+Cost: a run for each rule that is tried, `MAX_RUNS` at most, each as long as the recording.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections import defaultdict
+from collections.abc import Callable, Mapping
+from math import inf
+from typing import NamedTuple
+
+from motionlang.commands.init.file import inline
+from motionlang.commands.init.recorded.levels import levels_of
+from motionlang.commands.init.recorded.outcome import SWAPPED, matched, near
+from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording
+from motionlang.commands.init.recorded.rules import MeasuredRule, as_recorded, rules_of
+from motionlang.exploration import Entry
+from motionlang.kernel import Run
+
+# Runs that are tried, and rules of one input.
+MAX_RUNS, MAX_RULES = 60, 8
+# A time since the mark before may differ by this share of it.
+SHARE = 0.01
+# So large a share of the outputs may differ, since marks in the same row have no order.
+OUTPUTS = 0.02
+
+Play = Callable[[Mapping[str, object]], Run]
+Rules = dict[int, MeasuredRule]
+
+
+class JudgedRules(NamedTuple):
+    """The rules with which the run agrees best, this run, and the rules that the run has refuted."""
+
+    rules: Rules
+    run: Run
+    refuted: tuple[MeasuredRule, ...]
+
+
+class _Attempt(NamedTuple):
+    """A run with some rules."""
+
+    rules: Rules
+    run: Run
+
+    def agreement(self, recording: MeasuredRecording, until: float = inf) -> _Agreement:
+        return _agreement(self.run, recording, self.rules, until)
+
+    @property
+    def until(self) -> float:
+        """The first time at which a cause had no effect, s."""
+        return min((each for rule in self.rules.values() for each in rule.missed), default=inf)
+
+
+class _Agreement(NamedTuple):
+    """How many recorded marks and changes of inputs a run has at the right time, less those that it has besides."""
+
+    outputs: int
+    inputs: dict[int, int]
+
+    @property
+    def total(self) -> int:
+        return self.outputs + sum(self.inputs.values())
+
+
+def judged(recording: MeasuredRecording, play: Play) -> JudgedRules:
+    """Return the rules of the inputs with which the run agrees best; `play` runs the program with settings."""
+    candidates = {
+        number: rules_of(number, each, recording) for number, each in sorted(recording.inputs.items())
+    }
+
+    def attempt(rules: Rules) -> _Attempt:
+        return _Attempt(rules, play(settings_of(rules, recording)[0]))
+
+    first = attempt({number: rules[0] for number, rules in candidates.items()})
+    if recording.is_late or _is_whole(first, recording):  # the program is not where the recording begins
+        return JudgedRules(first.rules, first.run, ())
+    best = attempt(recorded_rules(recording))
+    if first.agreement(recording).total > best.agreement(recording).total:
+        best = first
+    refuted: list[MeasuredRule] = []
+    count = 2
+    for number in sorted(candidates, key=lambda each: _begin(recording.inputs[each])):
+        for rule in candidates[number][:MAX_RULES]:
+            if rule == best.rules[number] or count >= MAX_RUNS:
+                break
+            count += 1
+            other = attempt({**best.rules, number: rule})
+            if _is_as_good(other, best, number, recording):
+                best = other
+                break
+            refuted.append(rule)
+    return JudgedRules(best.rules, best.run, tuple(refuted))
+
+
+def recorded_rules(recording: MeasuredRecording) -> Rules:
+    """Return the changes of all inputs as recorded."""
+    return {
+        number: as_recorded(number, each) if each.changes else rules_of(number, each, recording)[0]
+        for number, each in sorted(recording.inputs.items())
+    }
+
+
+def settings_of(rules: Rules, recording: MeasuredRecording) -> tuple[dict[str, object], dict[str, str]]:
+    """Return the settings with the rules of the inputs and the levels of a recording, and a comment of each entry."""
+    comments: dict[str, str] = {}
+    inputs: list[Entry] = []
+    for rule in rules.values():
+        for entry, text in zip(rule.entries, rule.comments, strict=True):
+            made = {**entry, "guess": True} if rule.is_guess else entry
+            inputs.append(made)
+            comments[inline(made)] = text + missed_text(rule)
+    levels = [
+        each for number, series in sorted(recording.analogue.items()) for each in levels_of(number, series)
+    ]
+    comments |= {inline(entry): text for entry, text in levels}
+    given: dict[str, object] = {"input": inputs} if inputs else {}
+    if levels:
+        given["analogue"] = [entry for entry, _ in levels]
+    return given, comments
+
+
+def missed_text(rule: MeasuredRule) -> str:
+    if not rule.missed:
+        return ""
+    times = ", ".join(f"{each:.4g}" for each in rule.missed[:3])
+    more = f" and {len(rule.missed) - 3} more" if len(rule.missed) > 3 else ""
+    return f"; not after {rule.subject} at {times} s{more}"
+
+
+def _begin(channel: Digital) -> float:
+    return channel.changes[0].time if channel.changes else inf
+
+
+def _is_whole(attempt: _Attempt, recording: MeasuredRecording) -> bool:
+    """True if a run has all recorded marks but for those whose order is not known, and all changes of the inputs."""
+    until = attempt.until
+    found = attempt.agreement(recording, until)
+    theirs = [each for each in matched(attempt.run, recording).theirs if each.time < until]
+    return found.outputs >= (1.0 - OUTPUTS) * len(theirs) - SWAPPED and all(
+        found.inputs[number] >= sum(each.time < until for each in channel.changes)
+        for number, channel in recording.inputs.items()
+    )
+
+
+def _is_as_good(other: _Attempt, best: _Attempt, number: int, recording: MeasuredRecording) -> bool:
+    """True if a run with another rule of an input agrees as well with the recording as the best one."""
+    until = min(other.until, best.until)
+    mine, theirs = other.agreement(recording, until), best.agreement(recording, until)
+    return mine.inputs[number] >= theirs.inputs[number] and mine.total >= (
+        1.0 - OUTPUTS
+    ) * theirs.total - min(SWAPPED, OUTPUTS * theirs.total)
+
+
+def _agreement(run: Run, recording: MeasuredRecording, rules: Rules, until: float) -> _Agreement:
+    """Return how far a run agrees with a recording up to a time."""
+    found = matched(run, recording)
+    pairs = [(found.mine[a].time, found.theirs[b].time) for a, b in found.pairs]
+    outputs, before = 0, (0.0, 0.0)
+    for mine, theirs in pairs:
+        step = mine - before[0]
+        if theirs < until:
+            outputs += abs(theirs - before[1] - step) <= near(recording) + SHARE * abs(step)
+        before = mine, theirs
+    changes = _changes(run)
+    clock = _Clock(pairs)
+    inputs = {
+        number: _agreeing(
+            channel, changes[number], clock, near(recording) + rules[number].spread, recording, until
+        )
+        for number, channel in recording.inputs.items()
+    }
+    return _Agreement(outputs, inputs)
+
+
+class _Clock:
+    """The time of a run at a time of the recording, by the mark before that both have."""
+
+    def __init__(self, pairs: list[tuple[float, float]]) -> None:
+        self._pairs = [(0.0, 0.0), *pairs]
+        self._theirs = [each[1] for each in self._pairs]
+
+    def time(self, theirs: float) -> float:
+        at = max(bisect_right(self._theirs, theirs) - 1, 0)
+        return self._pairs[at][0] + theirs - self._pairs[at][1]
+
+
+def _changes(run: Run) -> dict[int, list[tuple[float, int]]]:
+    """Return the changes of each input in a run, as time and level."""
+    found: dict[int, list[tuple[float, int]]] = defaultdict(list)
+    for each in run.machine.log.inputs:
+        level = int(bool(each.value))
+        if level != (found[each.channel][-1][1] if found[each.channel] else 0):
+            found[each.channel].append((each.time, level))
+    return found
+
+
+def _agreeing(
+    channel: Digital,
+    changes: list[tuple[float, int]],
+    clock: _Clock,
+    tolerance: float,
+    recording: MeasuredRecording,
+    until: float,
+) -> int:
+    """Return how many changes of an input a run has, less those that it has besides."""
+    times = [time for time, _ in changes]
+    used: set[int] = set()
+    for each in channel.changes:
+        expected = clock.time(each.time)
+        first = bisect_left(times, expected - tolerance)
+        for k in range(first, len(times)):
+            if times[k] > expected + tolerance:
+                break
+            if k not in used and changes[k][1] == each.level and each.time < until:
+                used.add(k)
+                break
+    end = clock.time(min(until, recording.end)) - tolerance
+    besides = sum(k not in used and tolerance < time < end for k, time in enumerate(times))
+    return len(used) - besides
