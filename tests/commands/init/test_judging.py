@@ -65,3 +65,41 @@ def test_an_output_that_is_on_from_power_up_on_is_a_cause(cell: Cell) -> None:
         "delay": pytest.approx(1.0, abs=0.005),
         "for": pytest.approx(0.3, abs=0.005),
     }
+
+
+HOST = """\
+SPEED(0) = 400 : ACCEL(0) = 2000 : DECEL(0) = 2000
+Loop
+  Repeat
+    Wait(20)
+  Until COMMS(1) = 6
+  COMMS(1) = 0
+  OUTX(5) = 1
+  OUTX(5) = 0
+  MOVEA(0) = 120 : GO(0) : Pause IDLE(0)
+  OUTX(2) = 1
+  Pause INX(3)
+  OUTX(2) = 0
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  Print "part"
+End Loop
+"""
+
+
+def test_a_host_that_is_asked_takes_as_long_each_time(cell: Cell) -> None:
+    """Output 5 is on for less than a row, so no row has it: this is no other program."""
+    program = cell.write("host.mnt", HOST)
+    world = {
+        "input": [{**SENSOR, "delay": 0.4}],
+        "comms": [{"element": 1, "value": 6.0, "asked": 0.7}],
+        "run.until": 30.0,
+    }
+    cell.write("rec.csv", csv_of(Logger(0.005).table(machine_run(Path(program), world))))
+    ran = cell("init", "host.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    found = read_machine(Source.read(str(cell.folder / "host.machine.toml")))
+    assert found["comms"] == [
+        {"element": 1, "value": 6.0, "asked": pytest.approx(0.7, abs=0.025), "guess": True}
+    ]
+    assert found["input"] == [{**SENSOR, "delay": pytest.approx(0.4, abs=0.005)}]
+    assert "comms element 1: 6 0." in ran.err

@@ -161,14 +161,21 @@ def _fitted(
 ) -> tuple[FittedWorld, JudgedRules]:
     """Return the entries that no column has, as the recording needs them, and the rules of the inputs.
 
-    What the program does with the inputs as recorded shows when these entries came; that they were right, the rules.
+    They are fitted with the rules, and with the inputs as recorded if the rules may be wrong. With them in place, the
+    run judges the rules again.
     """
     rules = judged(recording, lambda given: play(given, guesses))
+
+    def fit(these: Mapping[int, MeasuredRule]) -> FittedWorld:
+        given, _ = settings_of(these, recording)
+        return fitted(guesses, recording, lambda tables: play(given, tables))
+
+    found = fit(rules.rules)
     if not any(guesses.values()):
-        return FittedWorld({table: [*each] for table, each in guesses.items() if each}, rules.run, []), rules
-    given, _ = settings_of(rules.rules if recording.is_late else recorded_rules(recording), recording)
-    found = fitted(guesses, recording, lambda tables: play(given, tables))
-    return found, judged(recording, lambda measured: play(measured, found.tables))
+        return found, rules
+    if not found.is_perfect and not recording.is_late:
+        found = max(found, fit(recorded_rules(recording)), key=lambda each: each.score)
+    return found, judged(recording, lambda given: play(given, found.tables))
 
 
 def power_up_of(

@@ -115,7 +115,9 @@ def recorded_rules(recording: MeasuredRecording) -> Rules:
     }
 
 
-def settings_of(rules: Rules, recording: MeasuredRecording) -> tuple[dict[str, object], dict[str, str]]:
+def settings_of(
+    rules: Mapping[int, MeasuredRule], recording: MeasuredRecording
+) -> tuple[dict[str, object], dict[str, str]]:
     """Return the settings with the rules of the inputs and the levels of a recording, and a comment of each entry."""
     comments: dict[str, str] = {}
     inputs: list[Entry] = []

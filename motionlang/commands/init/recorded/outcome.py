@@ -36,6 +36,8 @@ from motionlang.kernel.tools import count_of
 FIRST, COMPARED = 4, 60
 # Times of the same mark differ by so many rows and this, s, at most.
 NEAR_ROWS, NEAR = 2.0, 0.01
+# Pulses of fewer rows may be in none, or only one of two may be.
+PULSE_ROWS = 1.5
 # What happens so soon after power-up, s, may be before the first row.
 SOON = 0.05
 # A clock differs by more than so many rows for each stretch over the time that is compared.
@@ -72,11 +74,10 @@ class OutcomeMark(NamedTuple):
 
 def recorded_marks(recording: MeasuredRecording) -> list[OutcomeMark]:
     """Return the marks of a recording, in its own time."""
-    found = [
-        OutcomeMark(each.time, ("output", number, each.level))
-        for number, channel in recording.outputs.items()
-        for each in channel.changes
-    ]
+    found: list[OutcomeMark] = []
+    for number, channel in recording.outputs.items():
+        levels = [(each.time, each.level) for each in channel.changes]
+        found += _switched(number, levels, recording)
     for axis, path in recording.positions.items():
         found += _strokes(axis, path, path)
     return sorted(found)
@@ -85,16 +86,30 @@ def recorded_marks(recording: MeasuredRecording) -> list[OutcomeMark]:
 def run_marks(run: Run, recording: MeasuredRecording) -> list[OutcomeMark]:
     """Return the marks of a run that the recording can have, sampled like it."""
     found: list[OutcomeMark] = []
-    levels: dict[int, int] = defaultdict(int)
+    levels: dict[int, list[tuple[float, int]]] = {number: [] for number in recording.outputs}
     for each in run.machine.log.outputs:
-        level = int(bool(each.value))
-        if each.channel in recording.outputs and levels[each.channel] != level:
-            levels[each.channel] = level
-            found.append(OutcomeMark(each.time, ("output", each.channel, level)))
+        level, known = int(bool(each.value)), levels.get(each.channel)
+        if known is not None and level != (known[-1][1] if known else 0):
+            known.append((each.time, level))
+    for number, changes in levels.items():
+        found += _switched(number, changes, recording)
     for axis, path in recording.positions.items():
         if axis in run.trace.axes:
             found += _strokes(axis, run_path(run, axis, recording), path)
     return sorted(found)
+
+
+def _switched(
+    number: int, changes: Sequence[tuple[float, int]], recording: MeasuredRecording
+) -> list[OutcomeMark]:
+    """Return the marks of an output without pulses so short that the rows may miss them."""
+    found: list[OutcomeMark] = []
+    for time, level in changes:
+        if found and time - found[-1].time < PULSE_ROWS * recording.step:
+            found.pop()
+        else:
+            found.append(OutcomeMark(time, ("output", number, level)))
+    return found
 
 
 def run_path(run: Run, axis: int, recording: MeasuredRecording) -> Series:

@@ -4,7 +4,8 @@ Problem. The exploration enters them as soon as the program waits for them. The 
 perhaps with another number. Until they are right, the run is not that of the recording, and nothing can be compared.
 
 Idea. The marks of the recording show when the program must have gone on. A run with changed entries is better if more
-of its marks agree with the recording: the time since the mark before differs by little. Four changes are tried:
+of its marks agree with the recording: the time since the mark before differs by little. Who answers the program takes
+as long each time (`asked`), and the marks show how long. If not all of them agree then, four changes are tried:
 
     another time      the first mark that is too early or late is moved by the last entry before it
     another number    it is doubled or halved as long as more marks agree, and then found by halves
@@ -32,6 +33,8 @@ from motionlang.kernel.lang import DRIVES
 
 # Runs that are tried, the marks to which an entry is moved without success, and those for which it comes once more.
 MAX_RUNS, MAX_FAILED, MAX_MISSING = 80, 4, 4
+# A person answers after this time, s, and nobody sooner than this. How often the time of one answer is corrected.
+ANSWER, SOONEST, MAX_ANSWERS = 0.3, 0.001, 3
 # The time since the mark before may differ by this share of it.
 SHARE = 0.01
 # The largest number that is tried.
@@ -46,11 +49,16 @@ World = tuple[tuple[str, Entry], ...]
 
 
 class FittedWorld(NamedTuple):
-    """Entries that were not recorded, by table, the run with them, and the entries that the recording has changed."""
+    """Entries that were not recorded, by table, the run with them, and the entries that the recording has changed.
+
+    Of two, that with the higher `score` agrees better with the recording; `is_perfect` is True if all agrees.
+    """
 
     tables: dict[str, list[Entry]]
     run: Run
     changed: list[tuple[str, Entry]]
+    score: tuple[int, int]
+    is_perfect: bool
 
     def corrected(self, clock: float) -> FittedWorld:
         """Return the entries with right seconds, if the recording counts `clock` seconds for one."""
@@ -60,12 +68,13 @@ class FittedWorld(NamedTuple):
 
         moved = [entry for _, entry in self.changed if _at(entry) > 0.0]
         tables = {table: [*map(scaled, each)] for table, each in self.tables.items()}
-        return FittedWorld(tables, self.run, [(table, scaled(each)) for table, each in self.changed])
+        return self._replace(tables=tables, changed=[(table, scaled(each)) for table, each in self.changed])
 
 
 class _Attempt(NamedTuple):
     """A run with some entries: how many marks agree, the times of the pairs, and the recorded marks that it lacks.
 
+    `late` has by how much later the differing marks come in the recording, s.
     Of runs in which equally many agree, the one with fewer other marks has the higher `score`.
     """
 
@@ -75,17 +84,33 @@ class _Attempt(NamedTuple):
     is_perfect: bool
     pairs: dict[OutcomeMark, float]
     differing: list[OutcomeMark]
+    late: list[float]
     missing: list[OutcomeMark]
 
 
 def fitted(guesses: Tables, recording: MeasuredRecording, play: Callable[[Tables], Run]) -> FittedWorld:
     """Return guessed entries as the marks of a recording need them; `play` runs the program with some."""
-    before = tuple((table, _timed(entry)) for table in TABLES for entry in guesses.get(table, ()))
-    fit = _Fit(before, recording, play)
-    if before:
-        fit.improve()
+    before = tuple((table, entry) for table in TABLES for entry in guesses.get(table, ()))
+    fit = _Fit(_asked(before), recording, play)
+    fit.answer()
+    if before and not fit.best.is_perfect:
+        timed = _Fit(tuple((table, _timed(entry)) for table, entry in before), recording, play)
+        timed.improve()
+        fit = max(fit, timed, key=lambda each: each.best.score)
     changed = [each for each in fit.best.world if each not in before]
-    return FittedWorld(_tables(fit.best.world), fit.best.run, changed)
+    best = fit.best
+    return FittedWorld(_tables(best.world), best.run, changed, best.score, best.is_perfect)
+
+
+def _asked(world: World) -> World:
+    """Return each entry once, as the answer of somebody whom the program asks; inputs and levels stay as they are."""
+    found: World = ()
+    for table, entry in world:
+        kind = {key: value for key, value in entry.items() if key not in TIMES}
+        answers = "channel" in entry or "asked" in entry or table == "answer"
+        made = table, entry if answers else {**kind, "asked": ANSWER}
+        found += () if made in found else (made,)
+    return found
 
 
 def _timed(entry: Entry) -> Entry:
@@ -110,6 +135,15 @@ class _Fit:
         self._recording, self._play, self._count = recording, play, 0
         self.best = self._attempt(world)
 
+    def answer(self) -> None:
+        """Let who answers the program take longer or shorter, by as much as the first mark that differs."""
+        for k, (_, entry) in enumerate(self.best.world):
+            for _ in range(MAX_ANSWERS if "asked" in entry else 0):
+                if self.best.late:
+                    late = self._attempt(_answering(self.best.world, k, self.best.late[0]))
+                    if not self._keep(late):
+                        break
+
     def improve(self) -> None:
         """Try all changes; with another number, the marks that follow may need another time."""
         self._move()
@@ -128,22 +162,24 @@ class _Fit:
         self._count += 1
         run = self._play(_tables(world))
         found = matched(run, self._recording)
-        agreeing, differing = 0, []
+        agreeing, differing, late = 0, [], []
         before = (0.0, 0.0)
         pairs: dict[OutcomeMark, float] = {}
         for a, b in found.pairs:
             mine, theirs = found.mine[a].time, found.theirs[b].time
             step = mine - before[0]
-            if abs(theirs - before[1] - step) <= near(self._recording) + SHARE * abs(step):
+            by = theirs - before[1] - step
+            if abs(by) <= near(self._recording) + SHARE * abs(step):
                 agreeing += 1
             else:
                 differing.append(found.theirs[b])
+                late.append(by)
             pairs[found.theirs[b]] = mine
             before = mine, theirs
         missing = [each for each in found.theirs if each not in pairs]
         extra = sum(each.time <= self._recording.end for each in found.mine) - len(found.pairs)
         is_perfect = not (differing or missing or extra > 0)
-        return _Attempt(world, run, (agreeing, -max(extra, 0)), is_perfect, pairs, differing, missing)
+        return _Attempt(world, run, (agreeing, -max(extra, 0)), is_perfect, pairs, differing, late, missing)
 
     def _keep(self, attempt: _Attempt | None) -> bool:
         """Make an attempt the best one if it is better."""
@@ -252,6 +288,13 @@ def _moved(world: World, since: float, time: float) -> World:
     )
 
 
+def _answering(world: World, k: int, by: float) -> World:
+    """Return a world in which one entry takes longer to answer the program."""
+    table, entry = world[k]
+    asked = max(round(float(str(entry["asked"])) + by, 3), SOONEST)
+    return (*world[:k], (table, {**entry, "asked": asked}), *world[k + 1 :])
+
+
 def _with(world: World, kind: tuple[str, Entry], time: float) -> World:
     """Return a world with one entry more at a time; answers come when they are asked for."""
     table, entry = kind
@@ -289,4 +332,5 @@ def in_words(found: FittedWorld) -> Iterator[str]:
         value = entry.get("value", entry.get("text", ""))
         shown = f"{value:.10g}" if isinstance(value, float) else value
         at = f" at {_at(entry):.4g} s" if _at(entry) > 0.0 else ""
+        at = f" {entry['asked']:.4g} s after it is asked for" if "asked" in entry else at
         yield f"{subject(table, entry)}: {shown}{at} agrees best with the recording"
