@@ -211,7 +211,7 @@ def _status(result: Run) -> str:
 
 
 def _inputs(draft: Draft) -> list[str]:
-    """Return an entry for each input of the program.
+    """Return an entry for each input of the program, and for those that were measured.
 
     The comments above it quote the lines of the states that it leads on from, or else those that read it. What the
     cycle does not need is a comment with what it would do.
@@ -229,9 +229,9 @@ def _inputs(draft: Draft) -> list[str]:
     mine: dict[int, list[Entry]] = {}
     for entry in draft.entries("input"):
         mine.setdefault(int(str(entry["channel"])), []).append(entry)
-    given = {each["channel"] for each in entries(draft.given, "input")}
+    given = {int(str(each["channel"])) for each in entries(draft.given, "input")}
     found: list[str] = []
-    for channel in sorted(read_at.keys() | mine.keys() | set(exploration.channels)):
+    for channel in sorted(read_at.keys() | mine.keys() | given | set(exploration.channels)):
         lines = list(leads.get(channel, read_at.get(channel, {})))
         found += [f"  # line {line}: {_quoted(program.source.line(line))}" for line in lines[:MAX_LINES]]
         if channel in mine:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording, RecordedChange
+from motionlang.commands.init.recorded.rules import rules_of
 from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell
 from tests.commands.init.recordings import FOLDER, Logger, csv_of, machine_run, world_of
@@ -103,3 +106,82 @@ def test_a_host_that_is_asked_takes_as_long_each_time(cell: Cell) -> None:
     ]
     assert found["input"] == [{**SENSOR, "delay": pytest.approx(0.4, abs=0.005)}]
     assert "comms element 1: 6 0." in ran.err
+
+
+def test_marks_are_those_that_were_seen(cell: Cell) -> None:
+    """The carriage looked at 180 mm, and saw nothing there."""
+    found, _ = measured(cell, "eye.mnt", world_of(FOLDER / "eye.mnt"), Logger(0.005))
+    marks = [(each["between"], each["every"], each["times"]) for each in found]
+    near = partial(pytest.approx, abs=2.5)
+    assert marks == [([near(98), near(102)], near(40), 2), ([near(218), near(222)], near(40), 2)]
+
+
+@pytest.mark.parametrize(("program", "every"), [("index.mccl", 200.0), ("marks.mccl", 200.0)])
+def test_an_index_mark_is_where_the_homing_turned(cell: Cell, program: str, every: float) -> None:
+    """The recordings begin with the homing in the first row; one of them has a new zero at the mark."""
+    cell.write(program, (FOLDER / program).read_text())
+    recording = (FOLDER / program).with_suffix(".csv")
+    ran = cell("init", program, "--recording", str(recording), "--format", "none")
+    assert ran.status == 0, ran.err
+    machine = read_machine(Source.read(str((cell.folder / program).with_suffix(".machine.toml"))))
+    assert machine["axis.1.index_every"] == every
+    if program == "index.mccl":
+        (entry,) = machine["input"]  # type: ignore[misc]
+        assert (entry["for"], entry["every"]) == (pytest.approx(0.7, abs=0.01), pytest.approx(1.5, abs=0.01))
+
+
+WAIT_FOR = """\
+OUTX(0) = 1
+waitFor(4)
+Print "gripped"
+MOVEA(0) = 10 : GO(0) : Pause IDLE(0)
+OUTX(0) = 0
+End
+Sub waitFor(ByVal ch As Integer)
+  Pause INX(ch)
+End Sub
+"""
+
+
+def test_an_input_that_is_read_by_a_computed_channel_is_written(cell: Cell) -> None:
+    cell.write("panel.mnt", WAIT_FOR)
+    rows = [f"{k / 100},{int(k >= 70)},{int(20 <= k < 90)}" for k in range(200)]
+    cell.write("rec.csv", "\n".join(["time_s,in4,out0", *rows, ""]))
+    ran = cell("init", "panel.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    found = read_machine(Source.read(str(cell.folder / "panel.machine.toml")))["input"]
+    assert [each["channel"] for each in found] == [4]  # type: ignore[attr-defined]
+
+
+def test_what_has_no_column_is_named_before_the_program_is_accused(cell: Cell) -> None:
+    text = "Pause (NETINTEGER(10) * 7919 + NETINTEGER(11) * 31) % 10007 = 4242\n"
+    cell.write(
+        "net.mnt", text + "Loop\n  OUTX(1) = 1\n  Pause INX(2)\n  OUTX(1) = 0\n  Pause INX(2) = 0\nEnd Loop\n"
+    )
+    rows = [f"{k / 100},{int(k % 100 in range(30, 80))},{int(k % 100 in range(10, 60))}" for k in range(1000)]
+    cell.write("rec.csv", "\n".join(["time_s,in2,out1", *rows, ""]))
+    ran = cell("init", "net.mnt", "--recording", "rec.csv", "--format", "none")
+    assert "is not one of" not in ran.err
+    assert "no column has network data 10, network data 11, which net.mnt reads" in ran.err
+
+
+@pytest.mark.parametrize(("delays", "is_guess"), [([0.25] * 6, False), ([0.21, 0.21, 0.29, 0.29, 0.25, 0.25], True)])
+def test_a_time_that_varies_much_is_a_guess(delays: list[float], is_guess: bool) -> None:
+    """Each figure has the interval in which it lies."""
+    causes = tuple(RecordedChange(2.0 * k + 1.0 + k % 2, 1 - k % 2, 0.0005) for k in range(6))
+    changes = tuple(
+        RecordedChange(each.time + delay, each.level, 0.0005)
+        for each, delay in zip(causes, delays, strict=True)
+    )
+    recording = MeasuredRecording(
+        "rec.csv",
+        0.0,
+        12.0,
+        0.001,
+        inputs={3: Digital("in3", 0, changes, 0)},
+        outputs={1: Digital("out1", 0, causes, 0)},
+    )
+    rule = rules_of(3, recording.inputs[3], recording)[0]
+    assert rule.entries == ({"channel": 3, "output": 1, "delay": 0.25},)
+    assert rule.comments == (f"0.250 s ± 0.0{'40' if is_guess else '01'} (6 changes)",)
+    assert rule.is_guess == is_guess

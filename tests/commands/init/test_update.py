@@ -28,11 +28,11 @@ DIFFERENCE = """\
    { channel = 1, at = 0.0 },
 -  { channel = 2, name = "clamped", output = 9, delay = 0.3, guess = true },    # the old clamp
 +  # the old clamp
-+  { channel = 2, name = "clamped", output = 9, delay = 0.18 },    # 0.18 s, 12 times
++  { channel = 2, name = "clamped", output = 9, delay = 0.18 },    # 0.180 s ± 0.001 (12 changes)
    { channel = 3, output = 11, value = 0, delay = 0.4 },
 -  { channel = 4, at = 0.0, guess = true },
-+  { channel = 4, at = 1.5, for = 1.0, every = 2.6 },    # every 2.6 s, 8 times; for 1 s, 8 times
-+  { channel = 6, at = 3.2, for = 0.3, guess = true },    # once
++  { channel = 4, at = 1.5, for = 1.0, every = 2.6 },    # every 2.600 s ± 0.001; for 1.000 s ± 0.001 (8 changes)
++  { channel = 6, at = 3.2, for = 0.3, guess = true },    # 3.200 s ± 0.001; for 0.300 s ± 0.001 (1 change)
  ]    # 6 is missing
  {blank}
  [axis.1]
@@ -77,7 +77,7 @@ def test_entries_in_blocks_stay_and_others_follow(cell: Cell) -> None:
     assert status == 0
     text = (cell.folder / "saw.machine.toml").read_text()
     assert text.startswith(block)
-    assert "\n[[input]]\n# 0.18 s, 12 times\nchannel = 2\noutput = 9\ndelay = 0.18\n" in text
+    assert "\n[[input]]\n# 0.180 s ± 0.001 (12 changes)\nchannel = 2\noutput = 9\ndelay = 0.18\n" in text
 
 
 def test_without_a_recording_there_is_nothing_to_update(cell: Cell) -> None:

@@ -11,7 +11,7 @@ drive; those that come later after an output, a lag.
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from math import floor, isfinite
 from statistics import median
@@ -21,7 +21,14 @@ import numpy as np
 
 from motionlang.commands.compare.differences import usual_factor
 from motionlang.commands.compare.drift import MIN_PASSED, MIN_ROWS, PASSED, clock_rate
-from motionlang.commands.init.recorded.outcome import OutcomeMark, matched, near, run_path
+from motionlang.commands.init.recorded.outcome import (
+    OutcomeMark,
+    matched,
+    near,
+    recorded_marks,
+    run_marks,
+    run_path,
+)
 from motionlang.commands.init.recorded.recording import MeasuredRecording, Series, noise_of
 from motionlang.kernel import Run
 from motionlang.kernel.log import LoggedMove
@@ -43,36 +50,72 @@ EDGE = 2
 
 
 def switches(
-    run: Run, recording: MeasuredRecording, guessed: Mapping[int, Mapping[str, object]]
+    run: Run,
+    recording: MeasuredRecording,
+    guessed: Mapping[int, Mapping[str, object]],
+    play: Callable[[Mapping[str, object]], Run],
 ) -> tuple[dict[str, object], dict[str, str]]:
-    """Return the settings of the guessed switches as measured, each with a comment."""
+    """Return the settings of the guessed switches as measured, each with a comment.
+
+    `play` runs the program with such settings. A guess stays if the run turns where the recording does, and if it does
+    not even with what was measured, or if the axis does not begin as in the recording: that is no homing then.
+    """
     found: dict[str, object] = {}
     comments: dict[str, str] = {}
     for axis, keys in guessed.items():
         path = recording.positions.get(axis)
-        if path is None or recording.begin > 0.0:
+        if path is None or recording.is_late or not _begins_alike(axis, run, recording):
             continue
         least = noise_of(path, AT_REST)
         theirs, mine = _turns(path, least), _turns(run_path(run, axis, recording), least)
-        if not theirs or not mine:
-            continue
         measured = dict(keys)
-        if "home_switch" in keys:
-            low, high = (float(each) for each in keys["home_switch"])  # type: ignore[attr-defined]
-            moved = theirs[0] - mine[0]
-            measured["home_switch"] = [round(low + moved, PLACES), round(high + moved, PLACES)]
-        if "index_every" in keys:
-            turn = 1 if "home_switch" in keys else 0
-            if min(len(theirs), len(mine)) > turn:
-                mark = _mark(mine, turn, float(str(keys["index_every"]))) + theirs[turn] - mine[turn]
-                measured["index_every"] = round(abs(mark), PLACES)
-        if measured.get("index_every") == 0.0:  # the axis turned where it began, and passed no mark
-            del measured["index_every"]
+        if not _agree(theirs, mine, least):
+            measured = _moved(keys, theirs, mine)
+            settings = {f"axis.{axis}.{key}": value for key, value in measured.items()}
+            again = _turns(run_path(play(settings), axis, recording), least) if measured != keys else mine
+            if not _agree(theirs, again, least):
+                continue
         for key, value in measured.items():
             found[f"axis.{axis}.{key}"] = value
-            comments[f"axis.{axis}.{key}"] = f"measured: the homing turns at {theirs[0]:.4g} uu"
+            comments[f"axis.{axis}.{key}"] = f"measured: the homing turns at {theirs[0]:.4g} uu ± {least:.2g}"
         found[f"axis.{axis}.guess"] = True
     return found, comments
+
+
+def _begins_alike(axis: int, run: Run, recording: MeasuredRecording) -> bool:
+    """True if an axis moves first at the same time and in the same direction in a run and in the recording."""
+    mine, theirs = (
+        next((each for each in marks if each.label[:2] == ("axis", axis)), None)
+        for marks in (run_marks(run, recording), recorded_marks(recording))
+    )
+    if mine is None or theirs is None:
+        return False
+    time = mine.time if mine.time > near(recording) else 0.0  # which no row may have
+    is_first = theirs.label == mine.label and abs(theirs.time - time) <= near(recording) + SCALE * time
+    return is_first or (not time and not theirs.label[2])
+
+
+def _agree(theirs: list[float], mine: list[float], least: float) -> bool:
+    return (
+        bool(theirs)
+        and len(theirs) <= len(mine)
+        and all(abs(a - b) <= least for a, b in zip(theirs, mine, strict=False))
+    )
+
+
+def _moved(keys: Mapping[str, object], theirs: list[float], mine: list[float]) -> dict[str, object]:
+    """Return guessed switches moved by as much as the recorded turns lie from those of the run."""
+    measured = dict(keys)
+    if "home_switch" in keys and theirs and mine:
+        low, high = (float(each) for each in keys["home_switch"])  # type: ignore[attr-defined]
+        by = theirs[0] - mine[0]
+        measured["home_switch"] = [round(low + by, PLACES), round(high + by, PLACES)]
+    turn = 1 if "home_switch" in keys else 0
+    if "index_every" in keys and min(len(theirs), len(mine)) > turn:
+        mark = _mark(mine, turn, float(str(keys["index_every"]))) + theirs[turn] - mine[turn]
+        if round(abs(mark), PLACES):  # else the axis turned where it began, and passed no mark
+            measured["index_every"] = round(abs(mark), PLACES)
+    return measured
 
 
 def _mark(turns: list[float], turn: int, every: float) -> float:

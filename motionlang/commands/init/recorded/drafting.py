@@ -27,6 +27,7 @@ from motionlang.commands.init.recorded.judging import (
 )
 from motionlang.commands.init.recorded.outcome import (
     LONGER,
+    SAME_PROGRAM,
     SWAPPED,
     MatchedMarks,
     clock_of,
@@ -46,6 +47,7 @@ from motionlang.commands.init.recorded.rules import MeasuredRule, rules_of
 from motionlang.commands.init.recorded.unrecorded import FittedWorld, Tables, fitted, in_words, subject
 from motionlang.exploration import TABLES, Entry, entries
 from motionlang.kernel import Program, ProgramError, Run, run
+from motionlang.kernel.lang import READ
 from motionlang.kernel.tools import count_of
 
 # Nothing changes any more if it did not for so long, s, and for so many times the longest time between two changes.
@@ -55,6 +57,19 @@ BEST = "not recorded; agrees best with the recording"
 OTHER_PROGRAM = (
     "check the program, the columns with --map output.1=NAME, and whether the machine was in trouble"
 )
+
+# Devices that a recording has a column of, or whose number says nothing.
+RECORDED = (
+    "input",
+    "input bank",
+    "output",
+    "output bank",
+    "relay",
+    "relay bank",
+    "digital",
+    "analogue input",
+)
+SINGLE = ("key", "answer")
 
 Drafting = Callable[[Mapping[str, object]], Draft]
 
@@ -95,7 +110,7 @@ def measure(
         return program_run(program, _world(draft, {**board, **measured}, tables), end)
 
     found = refined(recording, guesses, draft.exploration.switches.axes, play)
-    check_program(program, found, recording)
+    sentences += check_program(program, found, recording)
     draft = replace(
         draft,
         world=draft.world._replace(settings=found.tables),
@@ -142,7 +157,9 @@ def refined(
     given, comments = settings_of(rules.rules, recording)
     sentences += in_words(found)
     sentences += axis_remarks(rules.run, recording)
-    settings, texts = switches(rules.run, recording, guessed_switches)
+    settings, texts = switches(
+        rules.run, recording, guessed_switches, lambda more: play({**given, **more}, found.tables, end)
+    )
     comments |= {inline({**entry, "guess": True}): BEST for _, entry in found.changed}
     return Refined(
         recording,
@@ -202,16 +219,47 @@ def power_up_of(
     return since(replace(raw, is_late=bool(late)), zero), sentences
 
 
-def check_program(program: Program, found: Refined, recording: MeasuredRecording) -> None:
-    """Raise ProgramError if a recording is not one of a program, whatever the rules."""
+def check_program(program: Program, found: Refined, recording: MeasuredRecording) -> Iterator[str]:
+    """Yield what a recording lacks if the run is not that of it; raise ProgramError if it is one of another program.
+
+    What the program reads and no column has may be why it does something else.
+    """
     marks = matched(found.run, recording, ("output",))
-    if marks.is_other_program:
-        text = _other_program(program, marks)
-        refuted = dict.fromkeys(
-            f"input {rule.entries[0]['channel']} by {rule.subject}" for rule in found.refuted if rule.subject
-        )
-        text += f"; tried: {', '.join(refuted)}, and all inputs as recorded" if refuted else ""
-        raise ProgramError.of("recording", text, hint=OTHER_PROGRAM)
+    if not marks.is_other_program:
+        return
+    tried = dict.fromkeys(
+        f"input {rule.entries[0]['channel']} by {rule.subject}" for rule in found.refuted if rule.subject
+    )
+    text = f"; tried: {', '.join(tried)}, and all inputs as recorded" if tried else ""
+    missing = [*_without_column(program)]
+    if not missing or _switches_others(program, marks):
+        raise ProgramError.of("recording", _other_program(program, marks) + text, hint=OTHER_PROGRAM)
+    yield (
+        f"{len(marks.pairs)} of {count_of(len(marks.theirs), 'recorded change')} of outputs are in the run{text}: "
+        f"no column has {', '.join(missing)}, which {program.source.name} reads; write the right entries into the "
+        "machine file, then --update"
+    )
+
+
+def _without_column(program: Program) -> Iterator[str]:
+    """Yield what a program reads that no recording has."""
+    uses = [use for each in program.structure.statements.values() for use in each.channels]
+    names = {
+        f"{use.channel} {use.number}" if use.channel not in SINGLE else f"a {use.channel}"
+        for use in uses
+        if use.access == READ and use.channel not in RECORDED
+    }
+    yield from sorted(names)
+
+
+def _switches_others(program: Program, marks: MatchedMarks) -> bool:
+    """True if the recording switches outputs that the text of a program does not name."""
+    uses = [use for each in program.structure.statements.values() for use in each.channels]
+    written = [use for use in uses if use.channel.startswith("output") and use.access != READ]
+    known = {use.number for use in written if use.channel == "output"}
+    unknown = [each for each in marks.theirs if str(each.label[1]) not in known]
+    is_known = all(use.channel == "output" and use.number.isdecimal() for use in written)
+    return is_known and len(unknown) >= SAME_PROGRAM * len(marks.theirs)
 
 
 def entries_of(

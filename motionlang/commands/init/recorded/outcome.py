@@ -203,7 +203,7 @@ def _at_begin(recording: MeasuredRecording) -> Iterator[Label]:
     for axis, path in sorted(recording.positions.items()):
         window = window_of(path)
         speed = slopes(path, window)[0]
-        if abs(speed) > 2.0 * least_speed(path, window):
+        if abs(speed) > least_speed(path, window):
             yield "axis", axis, int(np.sign(speed))
 
 

@@ -20,7 +20,7 @@ Cost: outputs and axes times the changes of an input.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from math import inf
 from statistics import fmean, median
@@ -39,6 +39,7 @@ from motionlang.commands.init.recorded.recording import (
     window_of,
 )
 from motionlang.exploration import Entry
+from motionlang.kernel.tools import count_of
 
 Array = NDArray[np.float64]
 
@@ -54,25 +55,36 @@ NEAR = 1.0
 FOR_EVER = 86400.0
 # An input follows a position if this share of its changes is in the middle of a move.
 IN_MOVES = 0.9
-# Marks along an axis, at most.
-MARKS = 1000
+# Regions of an axis at most in which an input is active, each one mark or several at equal distances.
+MAX_REGIONS = 20
+# The rows may have missed some marks between the first and the last, but not most.
+MAX_LEFT_OUT = 2
+# A figure whose values differ by more than this share of it is a guess.
+WIDE = 0.2
 # Decimal places of times and positions.
 PLACES = 3
 
 
 class MeasuredFigure(NamedTuple):
-    """Measured values of one quantity: the figure to write, the least and the largest, and the unit."""
+    """A measured quantity: the figure to write, by how much the values and the rows may differ from it, and how often.
+
+    `is_wide` is True if the values differ by more than a machine that repeats itself, and than the rows.
+    """
 
     value: float
-    least: float
-    most: float
+    spread: float
+    within: float
     times: int
-    unit: str = "s"
+    unit: str
+    is_wide: bool
 
     def __str__(self) -> str:
-        low, high = f"{self.least:.{PLACES}g}", f"{self.most:.{PLACES}g}"
-        times = {1: "once", 2: "twice"}.get(self.times, f"{self.times} times")
-        return f"{low} {self.unit}, {times}" if low == high else f"{low} to {high} {self.unit}, {times}"
+        return f"{self.interval} ({count_of(self.times, 'change')})"
+
+    @property
+    def interval(self) -> str:
+        """The figure with its interval, such as "0.250 s ± 0.005"."""
+        return f"{self.value:.{PLACES}f} {self.unit} ± {max(self.within, 10.0**-PLACES):.{PLACES}f}"
 
 
 class MeasuredRule(NamedTuple):
@@ -94,11 +106,12 @@ class MeasuredRule(NamedTuple):
     others: tuple[str, ...] = ()
     reason: str = ""
     is_explained: bool = True
+    is_wide: bool = False
 
     @property
     def is_guess(self) -> bool:
-        """True if too few changes agree, or some contradict."""
-        return self.seen < SEEN or bool(self.missed) or not self.is_explained
+        """True if too few changes agree, some contradict, or they differ much."""
+        return self.seen < SEEN or bool(self.missed) or self.is_wide or not self.is_explained
 
 
 def rules_of(number: int, channel: Digital, recording: MeasuredRecording) -> list[MeasuredRule]:
@@ -132,8 +145,13 @@ def _with_others(rule: MeasuredRule, equal: Sequence[MeasuredRule]) -> MeasuredR
     )
 
 
-def _figure(values: Sequence[float], unit: str = "s") -> MeasuredFigure:
-    return MeasuredFigure(round(fmean(values), PLACES), min(values), max(values), len(values), unit)
+def _figure(values: Sequence[float], within: float, unit: str = "s") -> MeasuredFigure:
+    """Return the mean of values, each of which is known within so much."""
+    value, spread = fmean(values), max(values) - min(values)
+    rounded = round(value, PLACES)
+    deviation = max(abs(each - value) for each in values)
+    is_wide = unit == "s" and spread > WIDE * abs(value) + 2.0 * within
+    return MeasuredFigure(rounded, spread, max(deviation, within), len(values), unit, is_wide)
 
 
 def _tolerance(value: float, recording: MeasuredRecording) -> float:
@@ -247,7 +265,7 @@ def _followed(
     if is_equal and max(delays) - min(delays) <= _tolerance(median(delays), recording):
         if len(delays) < SEEN and (len(delays) < 2 or median(delays) > NEAR):
             return
-        figure = _figure(delays)
+        figure = _figure(delays, recording.step)
         entry = base | inverted | {"delay": figure.value}
         # A pair of changes, each with its own cause, agrees with itself.
         yield MeasuredRule(
@@ -255,26 +273,30 @@ def _followed(
             (entry,),
             (str(figure),),
             len(delays),
-            figure.most - figure.least,
+            figure.spread,
             0,
             figure.value,
             missed,
+            is_wide=figure.is_wide,
         )
     elif len(to_on) > 1 and len(to_off) > 1:
         # The later entry decides about the level at power-up.
         parts = [(1, to_on), (0, to_off)] if channel.first else [(0, to_off), (1, to_on)]
-        entries, comments = [], []
+        entries, comments, is_wide = [], [], False
         for level, own in parts:
-            figure = _figure(own)
+            figure = _figure(own, recording.step)
             entries.append(
                 base
                 | {"level": level ^ is_inverted, "delay": figure.value, "for": FOR_EVER}
                 | ({} if level else {"value": 0})
             )
             comments.append(f"{'on' if level else 'off'} after {figure}")
+            is_wide |= figure.is_wide
         spread = max(max(own) - min(own) for _, own in parts)
         lead = max(median(to_on), median(to_off))
-        yield MeasuredRule(subject, tuple(entries), tuple(comments), len(delays), spread, 2, lead, missed)
+        yield MeasuredRule(
+            subject, tuple(entries), tuple(comments), len(delays), spread, 2, lead, missed, is_wide=is_wide
+        )
 
 
 def _effective(missed: Sequence[RecordedChange], channel: Digital) -> Iterator[RecordedChange]:
@@ -309,13 +331,21 @@ def _pulses(
     missed = tuple(each.time for each in paired.missed)
     if len(missed) > MISSED * len(causes) / 2:
         return
-    delay, length = _figure(paired.delays(active)), _figure(lengths)
+    delay, length = _figure(paired.delays(active), recording.step), _figure(lengths, recording.step)
     entry: Entry = {"channel": number, "output": output, "delay": delay.value, "for": length.value}
     entry |= {} if active ^ is_inverted else {"level": 0}
     entry |= {} if active else {"value": 0}
-    spread = max(delay.most - delay.least, length.most - length.least)
-    comment = f"{delay}; for {length}"
-    yield MeasuredRule(f"output {output}", (entry,), (comment,), len(starts), spread, 3, delay.value, missed)
+    yield MeasuredRule(
+        f"output {output}",
+        (entry,),
+        (f"{delay.interval}; for {length}",),
+        len(starts),
+        max(delay.spread, length.spread),
+        3,
+        delay.value,
+        missed,
+        is_wide=delay.is_wide or length.is_wide,
+    )
 
 
 def _agree(times: Sequence[float], recording: MeasuredRecording) -> bool:
@@ -349,102 +379,145 @@ def _along(
         for x, v, each, is_moving in zip(at, speed, channel.changes, moves, strict=True)
         if is_moving and not recording.has_gap(each.time - each.within, each.time + each.within)
     ]
+    fastest, usual = float(np.abs(speed).max()), float(np.median(np.abs(speed[moves])))
     for active in (1, 0):
         lows = [x for x, v, level in pairs if (level == active) == (v > 0.0)]
         highs = [x for x, v, level in pairs if (level == active) != (v > 0.0)]
-        tolerance = 3.0 * recording.step * float(np.abs(speed).max()) + 1e-6
-        for keys, spread, texts in _regions(lows, highs, tolerance, recording):
-            entry: Entry = {"channel": number, "axis": axis, **keys, **({} if active else {"value": 0})}
-            if _agrees(entry, active, channel, path, recording):
-                seconds = spread / float(np.median(np.abs(speed[moves])))
-                yield MeasuredRule(f"axis {axis}", (entry,), (texts,), len(pairs), seconds, 1)
+        tolerance = 3.0 * recording.step * fastest + 1e-6
+        for regions in _regions(lows, highs, tolerance, recording.step * usual):
+            missed = _passed(regions, active, channel, path, recording)
+            if missed is None or len(missed) > MISSED * len(pairs) / 2:
+                continue
+            inverted: Entry = {} if active else {"value": 0}
+            entries = tuple({"channel": number, "axis": axis, **each.keys, **inverted} for each in regions)
+            seconds = max(each.spread for each in regions) / usual
+            texts = tuple(each.text for each in regions)
+            yield MeasuredRule(f"axis {axis}", entries, texts, len(pairs), seconds, 1, missed=missed)
+
+
+class _Region(NamedTuple):
+    """Where an input is active: keys of the entry, its edges, the spread of the positions in user units, a comment."""
+
+    keys: Entry
+    edges: tuple[tuple[float, float], ...]
+    spread: float
+    text: str
 
 
 def _regions(
-    lows: list[float], highs: list[float], tolerance: float, recording: MeasuredRecording
-) -> Iterator[tuple[Entry, float, str]]:
-    """Yield the keys of a region with these ends, their spread in user units, and the comment."""
-    spread = max(max(each) - min(each) for each in (lows, highs) if each)
-    if spread > tolerance:
-        if len(lows) > 1 and len(highs) > 1:
-            yield from _marks(lows, highs, tolerance, is_late=recording.is_late)
-    elif not highs:
-        figure = _figure(lows, "uu")
-        yield {"above": figure.value}, spread, str(figure)
-    elif not lows:
-        figure = _figure(highs, "uu")
-        yield {"below": figure.value}, spread, str(figure)
-    else:
-        first, last = _figure(lows, "uu"), _figure(highs, "uu")
-        if first.value < last.value:
-            yield {"between": [first.value, last.value]}, spread, f"{first}, and {last}"
+    lows: list[float], highs: list[float], tolerance: float, within: float
+) -> Iterator[list[_Region]]:
+    """Yield where an input may be active that changes at these ends: beyond one, or in marks.
 
-
-def _marks(
-    lows: list[float], highs: list[float], tolerance: float, *, is_late: bool
-) -> Iterator[tuple[Entry, float, str]]:
-    """Yield the keys of marks at equal distances along an axis, as `_regions` does.
-
-    A recording that is late has not seen the first marks.
+    Marks are at equal distances from the first to the last one, of which the rows may have missed some, or those that
+    were seen.
     """
-    ordered = sorted(lows)
-    every = _period(ordered, tolerance)
-    if every <= tolerance:
+    firsts, lasts = (
+        [_figure(each, within, "uu") for each in _groups(ends, tolerance)] for ends in (lows, highs)
+    )
+    if len(firsts) == 1 and not lasts:
+        (edge,) = firsts
+        yield [_Region({"above": edge.value}, ((edge.value, inf),), edge.spread, str(edge))]
+    if len(lasts) == 1 and not firsts:
+        (edge,) = lasts
+        yield [_Region({"below": edge.value}, ((-inf, edge.value),), edge.spread, str(edge))]
+    ends = [each.value for pair in zip(firsts, lasts, strict=False) for each in pair]
+    if not firsts or len(firsts) != len(lasts) or ends != sorted(ends):
         return
-    first, last = _phase(lows, every), _phase(highs, every)
-    spread = max(_off(lows, first, every), _off(highs, last, every))
-    low = ordered[0] + (first - ordered[0] + every / 2) % every - every / 2
-    low = low % every if is_late else low
-    high = low + (last - low) % every
-    if spread <= tolerance:
-        between = [round(low, 2), round(high, 2)]
-        keys: Entry = {"between": between, "every": round(every, 2), "times": MARKS}
-        yield keys, spread, f"within {spread:.2g} uu, {len(lows)} marks"
+    marks = [*zip(firsts, lasts, strict=True)]
+    steps = [b[0].value - a[0].value for a, b in pairwise(marks)]
+    counts = [round((low.value - firsts[0].value) / min(steps)) if steps else 0 for low, _ in marks]
+    if _is_even(marks, counts, tolerance) and counts[-1] < MAX_LEFT_OUT * len(marks):
+        yield [_marks(marks, counts)]
+    found: list[_Region] = []
+    while marks:
+        count = min(len(marks), 2)
+        while count < len(marks) and _is_even(marks[: count + 1], range(count + 1), tolerance):
+            count += 1
+        found.append(_marks(marks[:count], range(count)))
+        marks = marks[count:]
+    if 1 < len(found) <= MAX_REGIONS:
+        yield found
 
 
-def _period(ordered: Sequence[float], tolerance: float) -> float:
-    """Return the distance between marks that were passed, some of them more than once or left out; 0 if none is."""
-    steps = [b - a for a, b in pairwise(ordered) if b - a > tolerance]
-    if not steps:
-        return 0.0
-    least = min(steps)
-    places = [(each - ordered[0]) / least for each in ordered]
-    counts = np.round(np.array(places))
-    return float(np.polyfit(counts, np.array(ordered), 1)[0])
+def _groups(values: list[float], tolerance: float) -> list[list[float]]:
+    """Return values in groups, so that neighbours in one are as close as the tolerance."""
+    found: list[list[float]] = []
+    for each in sorted(values):
+        if found and each - found[-1][0] <= tolerance:
+            found[-1].append(each)
+        else:
+            found.append([each])
+    return found
 
 
-def _phase(values: Sequence[float], every: float) -> float:
-    """Return the median position of marks below a multiple of the distance, next to the first one."""
-    first = values[0]
-    return first + median((each - first + every / 2) % every - every / 2 for each in values)
+_Mark = tuple[MeasuredFigure, MeasuredFigure]
 
 
-def _off(values: Sequence[float], phase: float, every: float) -> float:
-    offs = [(each - phase + every / 2) % every - every / 2 for each in values]
-    return max(offs) - min(offs)
-
-
-def _agrees(entry: Entry, active: int, channel: Digital, path: Series, recording: MeasuredRecording) -> bool:
-    """True if the input has the level of a region in all rows but those around its changes."""
-    inside = _region(entry)(path.values)
-    times = [each.time for each in channel.changes]
-    at = np.searchsorted(times, path.times, "right") - 1
-    levels = np.array([each.level for each in channel.changes])
-    actual = np.where(at < 0, channel.first, levels[at])
-    differs = (actual == active) != inside
-    return float(differs.mean()) <= 2.0 * len(times) * max(recording.step, SPREAD) / (
-        recording.end - recording.begin
+def _is_even(marks: Sequence[_Mark], counts: Sequence[int], tolerance: float) -> bool:
+    """True if marks lie at equal distances, so many of them from the first one."""
+    every, first = _line(marks, counts)
+    return all(
+        abs(first + count * every - low.value) <= tolerance
+        for count, (low, _) in zip(counts, marks, strict=True)
     )
 
 
-def _region(entry: Entry) -> Callable[[Array], NDArray[np.bool_]]:
-    """Return the function that is True at the positions where an entry is active."""
-    if "above" in entry or "below" in entry:
-        edge, sign = float(str(entry.get("above", entry.get("below")))), 1.0 if "above" in entry else -1.0
-        return lambda values: sign * values >= sign * edge
-    low, high = (float(each) for each in entry["between"])  # type: ignore[attr-defined]
-    every = float(str(entry.get("every", inf)))
-    return lambda values: (values >= low) & (np.mod(values - low, every) <= high - low)
+def _line(marks: Sequence[_Mark], counts: Sequence[int]) -> tuple[float, float]:
+    """Return the distance between marks, and the position of the first one."""
+    if len(marks) == 1:
+        return inf, marks[0][0].value
+    every, first = np.polyfit(np.array(counts), np.array([low.value for low, _ in marks]), 1)
+    return float(every), float(first)
+
+
+def _marks(marks: Sequence[_Mark], counts: Sequence[int]) -> _Region:
+    """Return the region of marks at equal distances."""
+    (first, last), number = marks[0], counts[-1] + 1
+    spread = max(max(low.spread, high.spread) for low, high in marks)
+    if number == 1:
+        one = ((first.value, last.value),)
+        return _Region({"between": [first.value, last.value]}, one, spread, f"{first.interval}, and {last}")
+    every, at = _line(marks, counts)
+    width = sum(high.value - low.value for low, high in marks) / len(marks)
+    between = [round(at, PLACES), round(at + width, PLACES)]
+    keys: Entry = {"between": between, "every": round(every, PLACES), "times": number}
+    within = max(
+        10.0**-PLACES, *(abs(at + k * every - low.value) for k, (low, _) in zip(counts, marks, strict=True))
+    )
+    within = max(within, first.within)
+    changes = count_of(sum(low.times + high.times for low, high in marks), "change")
+    text = f"{at:.{PLACES}f} uu ± {within:.{PLACES}f}, every {every:.{PLACES}f} uu ({changes})"
+    edges = tuple((at + k * every, at + k * every + width) for k in range(number))
+    return _Region(keys, edges, spread, text)
+
+
+def _passed(
+    regions: Sequence[_Region], active: int, channel: Digital, path: Series, recording: MeasuredRecording
+) -> tuple[float, ...] | None:
+    """Return when an axis was in a region without an effect; None if the input was active elsewhere."""
+    inside = np.zeros(len(path.values), dtype=bool)
+    for region in regions:
+        for low, high in region.edges:
+            inside |= (path.values >= low) & (path.values <= high)
+    times = [each.time for each in channel.changes]
+    at = np.searchsorted(times, path.times, "right") - 1
+    levels = np.array([each.level for each in channel.changes])
+    actual = np.where(at < 0, channel.first, levels[at]) == active
+    missed: list[float] = []
+    for first, past in _stretches(actual != inside):
+        begin, end = float(path.times[first]), float(path.times[past - 1])
+        if end - begin > SPREAD_ROWS * recording.step + SPREAD and not recording.has_gap(begin, end):
+            if actual[first]:
+                return None
+            missed.append(begin)
+    return tuple(missed)
+
+
+def _stretches(differs: NDArray[np.bool_]) -> Iterator[tuple[int, int]]:
+    """Yield the stretches of rows in which something is true, as the first row and the one after the last."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], differs, [False])).astype(np.int8)))
+    yield from zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
 
 
 # ------------------------------------------------------------------------------------------ times
@@ -457,7 +530,7 @@ def _every(number: int, channel: Digital, recording: MeasuredRecording) -> Itera
     periods = [b - a for a, b in pairwise(starts)]
     if channel.first or len(starts) < SEEN or not lengths or not _agree(lengths, recording):
         return
-    period, length = _figure(periods), _figure(lengths)
+    period, length = _figure(periods, recording.step), _figure(lengths, recording.step)
     drift = max(abs(each - starts[0] - k * period.value) for k, each in enumerate(starts))
     if drift > max(
         SPREAD, SPREAD_ROWS * recording.step
@@ -467,8 +540,15 @@ def _every(number: int, channel: Digital, recording: MeasuredRecording) -> Itera
     entry: Entry = {"channel": number, "at": round(starts[0], PLACES), "for": length.value, "every": mean}
     if starts[-1] + 1.5 * mean < recording.end:
         entry["times"] = len(starts)
-    spread = max(period.most - period.least, length.most - length.least)
-    yield MeasuredRule("time", (entry,), (f"every {period}; for {length}",), len(starts), spread, 4)
+    yield MeasuredRule(
+        "time",
+        (entry,),
+        (f"every {period.interval}; for {length}",),
+        len(starts),
+        max(period.spread, length.spread),
+        4,
+        is_wide=length.is_wide,
+    )
 
 
 def _once(number: int, channel: Digital, recording: MeasuredRecording) -> Iterator[MeasuredRule]:
@@ -476,19 +556,21 @@ def _once(number: int, channel: Digital, recording: MeasuredRecording) -> Iterat
     changes = channel.changes
     if len(changes) > 2:
         return
-    first = changes[0]
-    entry: Entry = {"channel": number, "at": round(first.time, PLACES)}
+    figures = [_figure([each.time], each.within) for each in changes]
+    entry: Entry = {"channel": number, "at": figures[0].value}
     if channel.first:
         entries: list[Entry] = [{"channel": number, "at": 0.0}]
         entries += [
-            {"channel": number, "at": round(each.time, PLACES), "value": each.level} for each in changes
+            {"channel": number, "at": at.value, "value": each.level}
+            for at, each in zip(figures, changes, strict=True)
         ]
-        yield MeasuredRule("time", tuple(entries), ("", *["once"] * len(changes)), 1, 0.0, 5)
+        yield MeasuredRule("time", tuple(entries), ("", *map(str, figures)), 1, 0.0, 5)
     elif len(changes) == 1:
-        yield MeasuredRule("time", (entry,), ("once",), 1, 0.0, 1)
+        yield MeasuredRule("time", (entry,), (str(figures[0]),), 1, 0.0, 1)
     else:
-        length = round(changes[1].time - first.time, PLACES)
-        yield MeasuredRule("time", ({**entry, "for": length},), ("once",), 1, 0.0, 1)
+        length = _figure([changes[1].time - changes[0].time], 2.0 * changes[0].within)
+        text = f"{figures[0].interval}; for {length}"
+        yield MeasuredRule("time", ({**entry, "for": length.value},), (text,), 1, 0.0, 1)
 
 
 def as_recorded(number: int, channel: Digital) -> MeasuredRule:

@@ -57,7 +57,7 @@ def update(
         return program_run(program, world, end)
 
     found = refined(recording, guesses, _guessed_switches(settings), play)
-    check_program(program, found, recording)
+    sentences += check_program(program, found, recording)
     measured = found.given
     sentences += found.sentences
     sentences += outcome(play(measured, found.tables, until), found.recording)
