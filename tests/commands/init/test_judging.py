@@ -126,7 +126,7 @@ def test_an_index_mark_is_where_the_homing_turned(cell: Cell, program: str, ever
     machine = read_machine(Source.read(str((cell.folder / program).with_suffix(".machine.toml"))))
     assert machine["axis.1.index_every"] == every
     if program == "index.mccl":
-        (entry,) = machine["input"]  # type: ignore[misc]
+        entry: Entry = machine["input"][0]  # type: ignore[index]
         assert (entry["for"], entry["every"]) == (pytest.approx(0.7, abs=0.01), pytest.approx(1.5, abs=0.01))
 
 
@@ -165,7 +165,9 @@ def test_what_has_no_column_is_named_before_the_program_is_accused(cell: Cell) -
     assert "no column has network data 10, network data 11, which net.mnt reads" in ran.err
 
 
-@pytest.mark.parametrize(("delays", "is_guess"), [([0.25] * 6, False), ([0.21, 0.21, 0.29, 0.29, 0.25, 0.25], True)])
+@pytest.mark.parametrize(
+    ("delays", "is_guess"), [([0.25] * 6, False), ([0.21, 0.21, 0.29, 0.29, 0.25, 0.25], True)]
+)
 def test_a_time_that_varies_much_is_a_guess(delays: list[float], is_guess: bool) -> None:
     """Each figure has the interval in which it lies."""
     causes = tuple(RecordedChange(2.0 * k + 1.0 + k % 2, 1 - k % 2, 0.0005) for k in range(6))
@@ -185,3 +187,32 @@ def test_a_time_that_varies_much_is_a_guess(delays: list[float], is_guess: bool)
     assert rule.entries == ({"channel": 3, "output": 1, "delay": 0.25},)
     assert rule.comments == (f"0.250 s ± 0.0{'40' if is_guess else '01'} (6 changes)",)
     assert rule.is_guess == is_guess
+
+
+FEED = """\
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  OUTX(1) = 1
+  PAUSE INX(1)
+  OUTX(1) = 0
+  MOVER(0) = 30 : GO(0) : PAUSE IDLE(0)
+  OUTX(2) = 1
+  PAUSE INX(1) = 0
+  OUTX(2) = 0
+  MOVER(0) = -30 : GO(0) : PAUSE IDLE(0)
+End Loop
+"""
+
+
+def test_a_recording_that_begins_within_a_cycle(cell: Cell) -> None:
+    """Input 1 is on in the first row, and the output that it switches off in the same row is no cause of it."""
+    program = cell.write("feed.mnt", FEED)
+    world = {"input": [{"channel": 1, "output": 1, "delay": 0.35, "for": 1.2}], "run.until": 20.0}
+    late = Logger(0.02, before=-7.3).table(machine_run(Path(program), world))
+    cell.write("rec.csv", csv_of(late))
+    ran = cell("init", "feed.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    assert "begins while the machine runs, since output 2 is on" in ran.err
+    on, off = read_machine(Source.read(str(cell.folder / "feed.machine.toml")))["input"]  # type: ignore[misc]
+    assert (on["output"], on["level"], on["delay"]) == (1, 1, pytest.approx(0.35, abs=0.02))
+    assert (off["output"], off["level"], off["delay"]) == (1, 0, pytest.approx(1.2, abs=0.02))

@@ -35,6 +35,8 @@ from motionlang.kernel.log import LoggedMove
 
 # An axis rests if it does not move for so long, s; it moves by at least so many standard deviations of the noise.
 REST, AT_REST = 0.08, 6.0
+# How an axis begins, in starts and stops: what follows may wait.
+BEGIN_MARKS = 2
 # Decimal places of a switch.
 PLACES = 2
 # A scale or a speed differs by more than this share.
@@ -57,24 +59,22 @@ def switches(
 ) -> tuple[dict[str, object], dict[str, str]]:
     """Return the settings of the guessed switches as measured, each with a comment.
 
-    `play` runs the program with such settings. A guess stays if the run turns where the recording does, and if it does
-    not even with what was measured, or if the axis does not begin as in the recording: that is no homing then.
+    `play` runs the program with such settings. A guess stays if the axis does not begin in the run as it does in the
+    recording, not even with what was measured: the recording has no homing then.
     """
     found: dict[str, object] = {}
     comments: dict[str, str] = {}
     for axis, keys in guessed.items():
         path = recording.positions.get(axis)
-        if path is None or recording.is_late or not _begins_alike(axis, run, recording):
+        if path is None or recording.is_late:
             continue
         least = noise_of(path, AT_REST)
-        theirs, mine = _turns(path, least), _turns(run_path(run, axis, recording), least)
-        measured = dict(keys)
-        if not _agree(theirs, mine, least):
-            measured = _moved(keys, theirs, mine)
-            settings = {f"axis.{axis}.{key}": value for key, value in measured.items()}
-            again = _turns(run_path(play(settings), axis, recording), least) if measured != keys else mine
-            if not _agree(theirs, again, least):
-                continue
+        theirs, measured, result = _turns(path, least), dict(keys), run
+        if not _begins_alike(axis, run, recording, theirs, least):
+            measured = _moved(keys, theirs, _turns(run_path(run, axis, recording), least))
+            result = play({f"axis.{axis}.{key}": value for key, value in measured.items()})
+        if not _begins_alike(axis, result, recording, theirs, least):
+            continue
         for key, value in measured.items():
             found[f"axis.{axis}.{key}"] = value
             comments[f"axis.{axis}.{key}"] = f"measured: the homing turns at {theirs[0]:.4g} uu ± {least:.2g}"
@@ -82,24 +82,29 @@ def switches(
     return found, comments
 
 
-def _begins_alike(axis: int, run: Run, recording: MeasuredRecording) -> bool:
-    """True if an axis moves first at the same time and in the same direction in a run and in the recording."""
-    mine, theirs = (
-        next((each for each in marks if each.label[:2] == ("axis", axis)), None)
+def _begins_alike(
+    axis: int, run: Run, recording: MeasuredRecording, theirs: list[float], least: float
+) -> bool:
+    """True if an axis turns first at the same positions in a run and in the recording, and takes as long there."""
+    mine = _turns(run_path(run, axis, recording), least)
+    if not theirs or len(theirs) > len(mine):
+        return False
+    if any(abs(a - b) > least + 10.0**-PLACES for a, b in zip(theirs, mine, strict=False)):
+        return False
+    own, recorded = (
+        [each for each in marks if each.label[:2] == ("axis", axis)][:BEGIN_MARKS]
         for marks in (run_marks(run, recording), recorded_marks(recording))
     )
-    if mine is None or theirs is None:
-        return False
-    time = mine.time if mine.time > near(recording) else 0.0  # which no row may have
-    is_first = theirs.label == mine.label and abs(theirs.time - time) <= near(recording) + SCALE * time
-    return is_first or (not time and not theirs.label[2])
-
-
-def _agree(theirs: list[float], mine: list[float], least: float) -> bool:
+    if recorded and not recorded[0].label[2]:  # it moves in the first row
+        recorded = [OutcomeMark(0.0, own[0].label), *recorded][:BEGIN_MARKS] if own else []
     return (
-        bool(theirs)
-        and len(theirs) <= len(mine)
-        and all(abs(a - b) <= least for a, b in zip(theirs, mine, strict=False))
+        bool(own)
+        and [each.label for each in own] == [each.label for each in recorded]
+        and all(
+            abs(b.time - recorded[0].time - (a.time - own[0].time))
+            <= 2.0 * near(recording) + SCALE * (a.time - own[0].time)
+            for a, b in zip(own, recorded, strict=True)
+        )
     )
 
 

@@ -10,6 +10,9 @@ recorded. A rule that makes an input follow what the input itself leads to never
     all inputs as recorded                what the program does with what was recorded
     one input after the other             its rules in their order, until one agrees as well as its recorded changes
 
+If the recording begins while the machine runs, the second step is left out, and a rule must agree better than others:
+marks are matched in their order, wherever the run has them.
+
 So the suspect is always the one input whose rule has changed. If a cause had no effect at a time, a rule is judged up
 to there. Times count from the mark before, so that an entry that comes late moves what follows, and does not spoil it.
 
@@ -38,6 +41,9 @@ MAX_RUNS, MAX_RULES = 60, 8
 SHARE = 0.01
 # So large a share of the outputs may differ, since marks in the same row have no order.
 OUTPUTS = 0.02
+
+# A rule is confirmed if this share of the recorded changes is in the run.
+CONFIRMED = 0.5
 
 Play = Callable[[Mapping[str, object]], Run]
 Rules = dict[int, MeasuredRule]
@@ -86,25 +92,39 @@ def judged(recording: MeasuredRecording, play: Play) -> JudgedRules:
     def attempt(rules: Rules) -> _Attempt:
         return _Attempt(rules, play(settings_of(rules, recording)[0]))
 
-    first = attempt({number: rules[0] for number, rules in candidates.items()})
-    if recording.is_late or _is_whole(first, recording):  # the program is not where the recording begins
-        return JudgedRules(first.rules, first.run, ())
-    best = attempt(recorded_rules(recording))
-    if first.agreement(recording).total > best.agreement(recording).total:
-        best = first
+    best = attempt({number: rules[0] for number, rules in candidates.items()})
     refuted: list[MeasuredRule] = []
-    count = 2
-    for number in sorted(candidates, key=lambda each: _begin(recording.inputs[each])):
-        for rule in candidates[number][:MAX_RULES]:
-            if rule == best.rules[number] or count >= MAX_RUNS:
-                break
-            count += 1
-            other = attempt({**best.rules, number: rule})
-            if _is_as_good(other, best, number, recording):
-                best = other
-                break
-            refuted.append(rule)
-    return JudgedRules(best.rules, best.run, tuple(refuted))
+    count = 1
+    if not _is_whole(best, recording):
+        if not recording.is_late:  # else the program is elsewhere when the recording begins
+            replayed = attempt(recorded_rules(recording))
+            best = max(replayed, best, key=lambda each: each.agreement(recording).total)
+        for number in sorted(candidates, key=lambda each: _begin(recording.inputs[each])):
+            for rule in candidates[number][:MAX_RULES]:
+                if (rule == best.rules[number] and not recording.is_late) or count >= MAX_RUNS:
+                    break
+                count += 1
+                other = attempt({**best.rules, number: rule})
+                if _is_as_good(other, best, number, recording):
+                    best = other
+                    if not recording.is_late:
+                        break
+                else:
+                    refuted.append(rule)
+    return JudgedRules(_confirmed(best, recording), best.run, tuple(refuted))
+
+
+def _confirmed(attempt: _Attempt, recording: MeasuredRecording) -> Rules:
+    """Return rules, as guesses those with which most changes of the input are not in the run."""
+    until = attempt.until
+    found = attempt.agreement(recording, until).inputs
+    return {
+        number: rule._replace(
+            is_confirmed=found[number]
+            >= CONFIRMED * sum(each.time < until for each in recording.inputs[number].changes)
+        )
+        for number, rule in attempt.rules.items()
+    }
 
 
 def recorded_rules(recording: MeasuredRecording) -> Rules:
@@ -160,9 +180,14 @@ def _is_whole(attempt: _Attempt, recording: MeasuredRecording) -> bool:
 
 
 def _is_as_good(other: _Attempt, best: _Attempt, number: int, recording: MeasuredRecording) -> bool:
-    """True if a run with another rule of an input agrees as well with the recording as the best one."""
+    """True if a run with another rule of an input agrees as well with the recording as the best one.
+
+    If the recording begins late, the best one is no replay, and the other must be better.
+    """
     until = min(other.until, best.until)
     mine, theirs = other.agreement(recording, until), best.agreement(recording, until)
+    if recording.is_late:
+        return mine.total > theirs.total
     return mine.inputs[number] >= theirs.inputs[number] and mine.total >= (
         1.0 - OUTPUTS
     ) * theirs.total - min(SWAPPED, OUTPUTS * theirs.total)
@@ -223,14 +248,16 @@ def _agreeing(
     times = [time for time, _ in changes]
     used: set[int] = set()
     for each in channel.changes:
-        expected = clock.time(each.time)
-        first = bisect_left(times, expected - tolerance)
-        for k in range(first, len(times)):
-            if times[k] > expected + tolerance:
-                break
-            if k not in used and changes[k][1] == each.level and each.time < until:
-                used.add(k)
-                break
+        close = (
+            k
+            for expected in (each.time, clock.time(each.time))
+            for k in range(
+                bisect_left(times, expected - tolerance), bisect_right(times, expected + tolerance)
+            )
+        )
+        found = next((k for k in close if k not in used and changes[k][1] == each.level), None)
+        if found is not None and each.time < until:
+            used.add(found)
     end = clock.time(min(until, recording.end)) - tolerance
     besides = sum(k not in used and tolerance < time < end for k, time in enumerate(times))
     return len(used) - besides

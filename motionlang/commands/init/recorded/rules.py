@@ -107,11 +107,13 @@ class MeasuredRule(NamedTuple):
     reason: str = ""
     is_explained: bool = True
     is_wide: bool = False
+    is_confirmed: bool = True
 
     @property
     def is_guess(self) -> bool:
-        """True if too few changes agree, some contradict, or they differ much."""
-        return self.seen < SEEN or bool(self.missed) or self.is_wide or not self.is_explained
+        """True if too few changes agree, some contradict, they differ much, or a run does not have them."""
+        is_sure = self.is_explained and self.is_confirmed and not self.is_wide
+        return self.seen < SEEN or bool(self.missed) or not is_sure
 
 
 def rules_of(number: int, channel: Digital, recording: MeasuredRecording) -> list[MeasuredRule]:
@@ -233,9 +235,13 @@ def _following(number: int, channel: Digital, recording: MeasuredRecording) -> I
     for output, switched in sorted(recording.outputs.items()):
         for is_inverted in (False, True):
             causes = _causes(switched, is_inverted=is_inverted)
-            if channel.first == (switched.first ^ is_inverted):
+            # A recording that begins late may begin within a delay.
+            if recording.is_late or channel.first == (switched.first ^ is_inverted):
                 yield from _followed(number, channel, output, causes, recording, is_inverted=is_inverted)
-            yield from _pulses(number, channel, output, causes, recording, is_inverted=is_inverted)
+            for active in (0, 1) if recording.is_late else (1 - channel.first,):
+                yield from _pulses(
+                    number, channel, output, causes, active, recording, is_inverted=is_inverted
+                )
 
 
 def _followed(
@@ -293,7 +299,7 @@ def _followed(
             comments.append(f"{'on' if level else 'off'} after {figure}")
             is_wide |= figure.is_wide
         spread = max(max(own) - min(own) for _, own in parts)
-        lead = max(median(to_on), median(to_off))
+        lead = min(median(to_on), median(to_off))
         yield MeasuredRule(
             subject, tuple(entries), tuple(comments), len(delays), spread, 2, lead, missed, is_wide=is_wide
         )
@@ -316,11 +322,11 @@ def _pulses(
     channel: Digital,
     output: int,
     causes: list[RecordedChange],
+    active: int,
     recording: MeasuredRecording,
     *,
     is_inverted: bool,
 ) -> Iterator[MeasuredRule]:
-    active = 1 - channel.first
     starts = [each for each in channel.changes if each.level == active]
     lengths = [b.time - a.time for a, b in pairwise(channel.changes) if a.level == active]
     if len(starts) < 2 or not lengths or not _agree(lengths, recording):
