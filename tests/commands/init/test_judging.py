@@ -213,6 +213,21 @@ def test_a_recording_that_begins_within_a_cycle(cell: Cell) -> None:
     ran = cell("init", "feed.mnt", "--recording", "rec.csv", "--format", "none")
     assert ran.status == 0, ran.err
     assert "begins while the machine runs, since output 2 is on" in ran.err
-    on, off = read_machine(Source.read(str(cell.folder / "feed.machine.toml")))["input"]  # type: ignore[misc]
+    found: list[Entry] = read_machine(Source.read(str(cell.folder / "feed.machine.toml")))["input"]  # type: ignore[assignment]
+    on, off = found
     assert (on["output"], on["level"], on["delay"]) == (1, 1, pytest.approx(0.35, abs=0.02))
     assert (off["output"], off["level"], off["delay"]) == (1, 0, pytest.approx(1.2, abs=0.02))
+
+
+def test_a_gap_does_not_lose_a_rule(cell: Cell) -> None:
+    """Three of twenty cycles are not in the recording; input and output have as many changes there."""
+    program = cell.write("feed.mnt", FEED)
+    world = {"input": [{"channel": 1, "output": 1, "delay": 0.35, "for": 1.2}], "run.until": 40.0}
+    table = Logger(0.01).table(machine_run(Path(program), world))
+    times = table["time_s"] - 100.0
+    kept = (times < 17.0) | (times > 23.0)
+    cell.write("rec.csv", csv_of({name: values[kept] for name, values in table.items()}))
+    ran = cell("init", "feed.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    found: list[Entry] = read_machine(Source.read(str(cell.folder / "feed.machine.toml")))["input"]  # type: ignore[assignment]
+    assert all("output" in each and "guess" not in each for each in found)

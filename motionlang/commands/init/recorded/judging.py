@@ -98,6 +98,10 @@ def judged(recording: MeasuredRecording, play: Play) -> JudgedRules:
     if not _is_whole(best, recording):
         if not recording.is_late:  # else the program is elsewhere when the recording begins
             replayed = attempt(recorded_rules(recording))
+            if not replayed.agreement(
+                recording
+            ).outputs:  # a homing without a switch: nothing can be judged yet
+                return JudgedRules(_confirmed(best, recording), best.run, ())
             best = max(replayed, best, key=lambda each: each.agreement(recording).total)
         for number in sorted(candidates, key=lambda each: _begin(recording.inputs[each])):
             for rule in candidates[number][:MAX_RULES]:
@@ -259,5 +263,5 @@ def _agreeing(
         if found is not None and each.time < until:
             used.add(found)
     end = clock.time(min(until, recording.end)) - tolerance
-    besides = sum(k not in used and tolerance < time < end for k, time in enumerate(times))
-    return len(used) - besides
+    besides = (time for k, time in enumerate(times) if k not in used and tolerance < time < end)
+    return len(used) - sum(not recording.has_gap(time - tolerance, time + tolerance) for time in besides)
