@@ -29,7 +29,7 @@ from typing import NamedTuple
 
 from motionlang.commands.init.file import inline
 from motionlang.commands.init.recorded.levels import levels_of
-from motionlang.commands.init.recorded.outcome import SWAPPED, matched, near
+from motionlang.commands.init.recorded.outcome import SWAPPED, Label, OutcomeMark, matched, near
 from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording
 from motionlang.commands.init.recorded.rules import MeasuredRule, as_recorded, rules_of
 from motionlang.exploration import Entry
@@ -200,18 +200,34 @@ def _is_as_good(other: _Attempt, best: _Attempt, number: int, recording: Measure
 def _agreement(run: Run, recording: MeasuredRecording, rules: Rules, until: float) -> _Agreement:
     """Return how far a run agrees with a recording up to a time."""
     found = matched(run, recording)
-    pairs = [(found.mine[a].time, found.theirs[b].time) for a, b in found.pairs]
-    outputs, before = 0, (0.0, 0.0)
-    for mine, theirs in pairs:
-        step = mine - before[0]
-        if theirs < until:
-            outputs += abs(theirs - before[1] - step) <= near(recording) + SHARE * abs(step)
-        before = mine, theirs
+    pairs = [(found.mine[a], found.theirs[b]) for a, b in found.pairs]
+    pairs = [each for each in pairs if each[1].label[0] == "output"] or pairs
+    clock = _Clock([(mine.time, theirs.time) for mine, theirs in pairs])
+    marks: dict[Label, tuple[list[OutcomeMark], list[OutcomeMark]]] = defaultdict(lambda: ([], []))
+    for mine in sorted(found.mine):
+        marks[mine.label][0].append(mine)
+    for theirs in sorted(found.theirs):
+        marks[theirs.label][1].append(theirs)
+    outputs = sum(
+        _agreeing(
+            [(each.time, 1) for each in right],
+            [(each.time, 1) for each in own],
+            clock,
+            near(recording),
+            recording,
+            until,
+        )
+        for own, right in marks.values()
+    )
     changes = _changes(run)
-    clock = _Clock(pairs)
     inputs = {
         number: _agreeing(
-            channel, changes[number], clock, near(recording) + rules[number].spread, recording, until
+            [(each.time, each.level) for each in channel.changes],
+            changes[number],
+            clock,
+            near(recording) + rules[number].spread,
+            recording,
+            until,
         )
         for number, channel in recording.inputs.items()
     }
@@ -226,8 +242,14 @@ class _Clock:
         self._theirs = [each[1] for each in self._pairs]
 
     def time(self, theirs: float) -> float:
-        at = max(bisect_right(self._theirs, theirs) - 1, 0)
-        return self._pairs[at][0] + theirs - self._pairs[at][1]
+        return theirs + self._pair(theirs)[0] - self._pair(theirs)[1]
+
+    def since(self, theirs: float) -> float:
+        """The time since that mark, s."""
+        return theirs - self._pair(theirs)[1]
+
+    def _pair(self, theirs: float) -> tuple[float, float]:
+        return self._pairs[max(bisect_right(self._theirs, theirs) - 1, 0)]
 
 
 def _changes(run: Run) -> dict[int, list[tuple[float, int]]]:
@@ -241,26 +263,25 @@ def _changes(run: Run) -> dict[int, list[tuple[float, int]]]:
 
 
 def _agreeing(
-    channel: Digital,
+    recorded: list[tuple[float, int]],
     changes: list[tuple[float, int]],
     clock: _Clock,
     tolerance: float,
     recording: MeasuredRecording,
     until: float,
 ) -> int:
-    """Return how many changes of an input a run has, less those that it has besides."""
+    """Return how many recorded changes a run has, less those that it has besides; each as time and level."""
     times = [time for time, _ in changes]
     used: set[int] = set()
-    for each in channel.changes:
+    for theirs, level in recorded:
+        apart = tolerance + SHARE * clock.since(theirs)
         close = (
             k
-            for expected in (each.time, clock.time(each.time))
-            for k in range(
-                bisect_left(times, expected - tolerance), bisect_right(times, expected + tolerance)
-            )
+            for expected in (theirs, clock.time(theirs))
+            for k in range(bisect_left(times, expected - apart), bisect_right(times, expected + apart))
         )
-        found = next((k for k in close if k not in used and changes[k][1] == each.level), None)
-        if found is not None and each.time < until:
+        found = next((k for k in close if k not in used and changes[k][1] == level), None)
+        if found is not None and theirs < until:
             used.add(found)
     end = clock.time(min(until, recording.end)) - tolerance
     besides = (time for k, time in enumerate(times) if k not in used and tolerance < time < end)

@@ -39,14 +39,14 @@ def _steps(series: Series, tolerance: float) -> list[tuple[float, float]]:
     for k in range(1, len(values)):
         later = values[k : k + 2]
         if abs(later - level).min() > tolerance:
-            found.append((_between(series, first), float(np.median(values[first:k]))))
+            found.append((_before(series, first), float(np.median(values[first:k]))))
             first, level, count = k, float(values[k]), 1
         elif abs(values[k] - level) <= tolerance:
             count += 1
             level += (float(values[k]) - level) / count
-    return [*found, (_between(series, first), float(np.median(values[first:])))]
+    return [*found, (_before(series, first), float(np.median(values[first:])))]
 
 
-def _between(series: Series, row: int) -> float:
-    """Return the middle of the times of a row and the one before."""
-    return float(series.times[row] + series.times[max(row - 1, 0)]) / 2
+def _before(series: Series, row: int) -> float:
+    """Return the time of the row before: a level is there when the program sees it, which may be in the same row."""
+    return float(series.times[max(row - 1, 0)])

@@ -580,10 +580,14 @@ def _once(number: int, channel: Digital, recording: MeasuredRecording) -> Iterat
 
 
 def as_recorded(number: int, channel: Digital) -> MeasuredRule:
-    """Return the recorded changes of an input, which no rule explains."""
+    """Return the recorded changes of an input, which no rule explains.
+
+    Each is as early as it may have been. If it is later than it was, a program that polls may see it a period later.
+    """
     entries: list[Entry] = [{"channel": number, "at": 0.0}] if channel.first else []
     entries += [
-        {"channel": number, "at": round(each.time, PLACES), "value": each.level} for each in channel.changes
+        {"channel": number, "at": max(round(each.time - each.within, PLACES), 0.0), "value": each.level}
+        for each in channel.changes
     ]
     comments = ("as recorded: no rule explains it", *[""] * (len(entries) - 1))
     return MeasuredRule("", tuple(entries), comments, 0, 0.0, 9, is_explained=False)
