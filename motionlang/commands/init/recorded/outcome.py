@@ -276,11 +276,15 @@ def _beside(run: Run) -> set[int]:
     """Return the outputs that only tasks switch which move no axis."""
     program = run.program or run.dialect.program(run.source)
     owners = program.structure.owners()
-    working = {owners.get(each.line, "") for each in run.machine.log.moves}
+    moving = {each.line for each in run.machine.log.moves}
+    # A run that waits for ever has no moves, and its lamp blinks all the same.
+    for each in program.structure.statements.values():
+        moving |= {each.line for use in each.axes if use.row.topic == "move"}
+    working = {owners.get(line, "") for line in moving}
     by: dict[int, set[str]] = defaultdict(set)
-    for each in run.machine.log.outputs:
-        if each.at >= 0:
-            by[each.channel].add(owners.get(run.source.location(each.at)[0], ""))
+    for switched in run.machine.log.outputs:
+        if switched.at >= 0:
+            by[switched.channel].add(owners.get(run.source.location(switched.at)[0], ""))
     return {channel for channel, tasks in by.items() if working and not tasks & working}
 
 
