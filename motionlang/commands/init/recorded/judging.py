@@ -42,6 +42,8 @@ SHARE = 0.01
 # So large a share of the outputs may differ, since marks in the same row have no order.
 OUTPUTS = 0.02
 
+# A rule is clearly better if so many more marks agree, as a share.
+BETTER = 0.1
 # A rule is confirmed if this share of the recorded changes is in the run.
 CONFIRMED = 0.5
 
@@ -186,12 +188,13 @@ def _is_whole(attempt: _Attempt, recording: MeasuredRecording) -> bool:
 def _is_as_good(other: _Attempt, best: _Attempt, number: int, recording: MeasuredRecording) -> bool:
     """True if a run with another rule of an input agrees as well with the recording as the best one.
 
-    If the recording begins late, the best one is no replay, and the other must be better.
+    If the recording begins late, the best one is no replay, and the other must be clearly better.
     """
     until = min(other.until, best.until)
     mine, theirs = other.agreement(recording, until), best.agreement(recording, until)
     if recording.is_late:
-        return mine.total > theirs.total
+        is_placed = other.rules[number].is_explained  # in time, which is not that of the run
+        return is_placed and mine.total > theirs.total + max(SWAPPED, BETTER * theirs.total)
     return mine.inputs[number] >= theirs.inputs[number] and mine.total >= (
         1.0 - OUTPUTS
     ) * theirs.total - min(SWAPPED, OUTPUTS * theirs.total)
