@@ -22,7 +22,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
-from math import inf
+from math import fsum, inf
 from statistics import fmean, median
 from typing import NamedTuple
 
@@ -485,14 +485,14 @@ def _marks(marks: Sequence[_Mark], counts: Sequence[int]) -> _Region:
         one = ((first.value, last.value),)
         return _Region({"between": [first.value, last.value]}, one, spread, f"{first.interval}, and {last}")
     every, at = _line(marks, counts)
-    width = sum(high.value - low.value for low, high in marks) / len(marks)
+    width = fmean(high.value - low.value for low, high in marks)
     between = [round(at, PLACES), round(at + width, PLACES)]
     keys: Entry = {"between": between, "every": round(every, PLACES), "times": number}
     within = max(
         10.0**-PLACES, *(abs(at + k * every - low.value) for k, (low, _) in zip(counts, marks, strict=True))
     )
     within = max(within, first.within)
-    changes = count_of(sum(low.times + high.times for low, high in marks), "change")
+    changes = count_of(int(fsum(each.times for mark in marks for each in mark)), "change")
     text = f"{at:.{PLACES}f} uu ± {within:.{PLACES}f}, every {every:.{PLACES}f} uu ({changes})"
     edges = tuple((at + k * every, at + k * every + width) for k in range(number))
     return _Region(keys, edges, spread, text)
