@@ -50,6 +50,7 @@ WHOLE_SUMS = {
     "lab/pvt/drive/node.py",
     "commands/check/rules/mixed_operators.py",
     "commands/check/rules/never_started.py",
+    "commands/init/recorded/judging.py",
     "kernel/mint/runtime/environment.py",
     "views/table.py",
 }
