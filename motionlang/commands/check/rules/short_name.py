@@ -1,0 +1,47 @@
+"""A program counts with a keyword by its short name, which it takes for a variable: `TM = TM + 1` is TERMINAL."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.kernel.mint.check.unknown_words import another_name
+from motionlang.kernel.mint.syntax import nodes
+
+if TYPE_CHECKING:
+    from motionlang.commands.check.mint.mint_facts import MintFacts
+
+
+def check(facts: MintFacts, warn: Warn) -> None:
+    seen: set[str] = set()
+    for node in facts.of_kind(nodes.Assign):
+        target, value = node.target, node.values[0]
+        if type(target) is not nodes.Name or target.row is None or target.args is not None:
+            continue
+        is_short = target.name.lower() != target.row.name.lower()
+        counts = (
+            type(value) is nodes.Binary and type(value.left) is nodes.Name and value.left.row is target.row
+        )
+        if is_short and counts and target.row.name not in seen:
+            seen.add(target.row.name)
+            warn(
+                f"{target.name} is the keyword {target.row.name}, which counts here",
+                target.start,
+                another_name(target.name, target.row),
+            )
+
+
+RULE = Rule(
+    code="short-name",
+    group="Names",
+    text="""\
+A statement adds to a keyword that stands there by its short name. It was probably meant as a variable: `TM = TM + 1`
+counts the terminals on which PRINT shows its texts.
+""",
+    fix="give the variable another name",
+    mint=RuleCase(
+        check,
+        wrong="TM = 0\nWHILE INX.1 = 0\n  TM = TM + 1\n  WAIT = 10\nENDW\n",
+        right="n = 0\nWHILE INX.1 = 0\n  n = n + 1\n  WAIT = 10\nENDW\n? n\n",
+    ),
+)
