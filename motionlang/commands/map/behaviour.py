@@ -82,7 +82,7 @@ class StateRow:
 class HandlerRow:
     """The effect of a handler: its trigger, its acts, the states in which it was seen, and the state that follows.
 
-    `lines` are those that it runs.
+    `meets` is the line whose move is going on, 0 for none; `lines` are those that it runs.
     """
 
     unit: str
@@ -90,6 +90,7 @@ class HandlerRow:
     then: Sequence[str]
     states: dict[str, None]
     to: str
+    meets: int
     lines: frozenset[int]
 
 
@@ -126,9 +127,9 @@ class UnreachedRow:
 class MachineBehaviour:
     """The behaviour of a machine: its states, power-up first, handlers, choices, its cycle, and lines that never ran.
 
-    `cautions` are what to know before the program is changed, `usual` sentences about where tasks wait in states that
-    say nothing else. `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run
-    if it has none. `ending` is what happens in that run behind its last move, if the program ends.
+    `cautions` are what to know before the program is changed, `remarks` what holds in all states that say nothing else.
+    `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run if it has none.
+    `ending` is what happens in that run behind its last move, if the program ends.
     """
 
     exploration: Exploration
@@ -137,7 +138,7 @@ class MachineBehaviour:
     choices: list[ChoiceRow]
     cycle_rows: list[CycleRow]
     cautions: list[CautionRow]
-    usual: list[str]
+    remarks: list[str]
     unreached: list[UnreachedRow]
     span: tuple[float, float]
     ending: Sequence[str]
@@ -163,7 +164,7 @@ def behaviour_of(
         words.choices(),
         _joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time"))),
         cautions(exploration, structure, names),
-        words.usual_places(),
+        words.remarks(),
         sorted(
             (*_never_run(exploration, structure), *_without_way(structure.source, unreached)),
             key=attrgetter("first"),
@@ -201,12 +202,20 @@ class _Words:
         """Return a state without the places where its tasks usually rest; all of it if nothing is left."""
         return tuple(each for each in state if each._replace(memory=()) not in self.usual) or state
 
-    def usual_places(self) -> list[str]:
-        """Return where tasks wait in states that say nothing else."""
-        return [
-            f"{each.task} waits in {lines_of((each,), self.structure.line)}: {statements_of((each,), self.structure)}"
+    def remarks(self) -> list[str]:
+        """Return where tasks wait in states that say nothing else, and which inputs read 0 when they are on."""
+        found = [
+            f"unless said otherwise, {each.task} waits in {lines_of((each,), self.structure.line)}: "
+            f"{statements_of((each,), self.structure)}"
             for each in self.usual
         ]
+        low = sorted(self.exploration.world.run.controller.inputs.active_low)
+        named = [self.names[subject] for n in low if (subject := f"input {n}") in self.names]
+        return (
+            [*found, f"active low, so the program reads 0 when it is on: {', '.join(named)}"]
+            if named
+            else found
+        )
 
     def lines(self, state: RestState | None) -> str:
         """Return the name of a state: its lines, with the calls that lead there."""
@@ -330,25 +339,31 @@ class _Words:
         return next(found, "") if each.is_cut else ""
 
     def handlers(self) -> list[HandlerRow]:
-        """Return what handlers do, those first that are seen in most states."""
-        found: dict[tuple[str, ...], HandlerRow] = {}
+        """Return what handlers do: for each move that one meets what is seen in most states, then the rest."""
+        found: dict[Hashable, HandlerRow] = {}
         for node in self.exploration.nodes:
             for each in kept(node.transitions):
                 unit = self.handler(each)
                 if not unit:
                     continue
                 start = " and ".join(map(self.names.change, each.causes))
-                then = [self.names.act(act) for act in _after(each)]
+                acts = _after(each)
+                then = [self.names.act(act) for act in acts]
                 if each.target == node.state and not then:
                     continue  # nothing is seen of it
                 to = "the end" if each.target is None else self.lines(each.target)
                 to = "the same state" if each.target == node.state else to
-                key = unit, start, to, *then
-                row = found.setdefault(key, HandlerRow(unit, start, then, {}, to, self.run(each)))
+                key = unit, start, to, tuple((act.subject, without_figures(act.words)) for act in acts)
+                meets = max(change.moment.line for change in each.causes)
+                row = found.setdefault(key, HandlerRow(unit, start, then, {}, to, meets, self.run(each)))
                 row.states[self.lines(node.state)] = None
-        return sorted(
+        rows = sorted(
             found.values(), key=lambda each: (-len(each.states), each.unit, len(each.start), each.start)
         )
+        first: dict[tuple[str, int], HandlerRow] = {}
+        for row in rows:
+            first.setdefault((row.unit, row.meets), row)
+        return [*first.values(), *(row for row in rows if row is not first[row.unit, row.meets])]
 
     def choices(self) -> list[ChoiceRow]:
         """Return the keys, answers and numbers of a host with which lines move an axis that no transition runs."""

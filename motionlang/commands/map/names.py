@@ -16,6 +16,9 @@ class ReaderNames:
         self._known = {each.title: each.known_as for each in channels}
         self._known |= {f"axis {each.axis}": each.title for each in axes}
 
+    def __contains__(self, subject: str) -> bool:
+        return subject in self._known
+
     def __getitem__(self, subject: str) -> str:
         return self._known.get(subject, subject)
 

@@ -11,6 +11,11 @@ from motionlang.kernel.lang import CALL, ENTER, Definition, Structure, Unit
 
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
 _MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)
+# What sets a variable to a number, a constant or a text, behind its name; what sets a register, before its number.
+_ASSIGNED = re.compile(
+    r"(?i)[ \t]*=[ \t]*([-+]?[\w.]+|\"[^\"\n]*\")[ \t]*(?:$|[:'\r\n]|else\b|end\b)", re.MULTILINE
+)
+_LOADED = re.compile(r"(?i)AL(@?[-+]?[\d.]+)[ \t]*,[ \t]*AR$")
 # The kinds of definitions that hold a value.
 _VALUES = ("variable", "parameter", "constant", "define", "register")
 
@@ -37,7 +42,8 @@ class UnitMap:
 class MapVariable:
     """A name with a value, and the lines that read and write it.
 
-    `home` is the sub that declares it, "" for all. `meaning` is the name that a comment gives a register.
+    `home` is the sub that declares it, "" for all. `meaning` is the name that a comment gives a register. `given` are
+    the numbers and constants that it is set to, each with its lines.
     """
 
     name: str
@@ -48,6 +54,7 @@ class MapVariable:
     writes: list[int]
     is_retained: bool = False
     meaning: str = ""
+    given: Mapping[str, list[int]] = field(default_factory=dict)
 
     @property
     def is_used(self) -> bool:
@@ -116,11 +123,27 @@ def variables(
                 writes,
                 each.kind == "variable" and each.name in retained,
                 registers.get(each.name, "") if each.kind == "register" else "",
+                _given(structure, each),
             )
         )
     return sorted(
         found, key=lambda each: (_VALUES.index(each.kind), min([*each.reads, *each.writes, 10**9]), each.name)
     )
+
+
+def _given(structure: Structure, definition: Definition) -> dict[str, list[int]]:
+    """Return the numbers and constants that statements set a variable or a register to, each with its lines."""
+    found: dict[str, list[int]] = {}
+    text = structure.source.text
+    for start, end in definition.uses:
+        if start in structure.writes and definition.kind in ("variable", "register"):
+            line = structure.line(start)
+            begin = text.rfind("\n", 0, start) + 1
+            before = _LOADED.search(text, begin, start)
+            given = _ASSIGNED.match(text, end) or before
+            if given is not None and line not in found.setdefault(given[1], []):
+                found[given[1]].append(line)
+    return found
 
 
 def meant_by(titles: Iterable[str]) -> dict[str, list[str]]:

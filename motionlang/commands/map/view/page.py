@@ -42,7 +42,7 @@ def page(made: ProgramMap, timing: str = "") -> str:
         cautions = tables.cautions(behaviour)
         body += [f'<h2 id="cautions">{cautions.head}</h2>', *_table(cautions)]
         body += ['<h2 id="states">States</h2>']
-        body += [f"<p>Unless said otherwise, {escape(each)}</p>" for each in behaviour.usual]
+        body += [f"<p>{escape(each)}</p>" for each in behaviour.remarks]
         body += _table(tables.transitions(behaviour))
         body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(behaviour))]
         body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(behaviour))]

@@ -123,6 +123,7 @@ def variables(made: ProgramMap) -> Table:
         Column("home", "of", left=True, drop=2),
         Column("value", left=True, drop=1),
         _lines("writes", "written"),
+        Column("given", "set to", text=_given, left=True, drop=3),
         _lines("reads", "read"),
         Column("is_used", "", text=lambda is_used: "" if is_used else "unused", left=True, drop=1),
         Column("is_retained", "", text=lambda is_retained: "non-volatile" if is_retained else "", left=True),
@@ -315,6 +316,10 @@ def _waits_for(made: ProgramMap, statement: Statement, readings: set[tuple[str, 
 
 def _lines(key: str, title: str) -> Column:
     return Column(key, title, text=ranges, left=True, drop=5 if key == "set_up" else 0)
+
+
+def _given(values: Mapping[str, list[int]]) -> str:
+    return ", ".join(f"{value} ({ranges(lines)})" for value, lines in values.items())
 
 
 def _computed(is_computed: bool) -> str:

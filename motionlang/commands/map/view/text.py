@@ -20,7 +20,7 @@ from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
 # So many ways of states that are not in the cycle, and effects of handlers, each in so many states, are shown at first.
-MAX_WAYS, MAX_HANDLERS, MAX_NAMES = 40, 6, 2
+MAX_WAYS, MAX_HANDLERS, MAX_NAMES = 40, 10, 2
 MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_CYCLE_ROWS = 10, 5, 3, 40
 
 
@@ -48,8 +48,8 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
     if made.behaviour is not None:
         found += ["", *_cycle(made, made.behaviour, width, colour), *_cautions(made.behaviour, width, colour)]
         found += ["", styled("States", "bold", colour)]
-        for usual in made.behaviour.usual:
-            found += _wrapped(f"unless said otherwise, {usual}", "", width)
+        for remark in made.behaviour.remarks:
+            found += _wrapped(remark, "", width)
         if len(made.behaviour.states) == 1:
             found.append("the program waits for nothing around it")
         found += _states(made.behaviour.states, width, colour, inf if has_all else MAX_WAYS)
@@ -219,7 +219,9 @@ def markdown(made: ProgramMap) -> str:
         found += ["", "## Cycle", "", cycle_line(behaviour), "", *tables.cycle(behaviour).markdown()]
         found += ["", "## States", "", "```mermaid", *mermaid(behaviour), "```"]
         found += (
-            ["", *(f"Unless said otherwise, {each}" for each in behaviour.usual)] if behaviour.usual else []
+            ["", *(f"Unless said otherwise, {each}" for each in behaviour.remarks)]
+            if behaviour.remarks
+            else []
         )
         more = (tables.transitions, tables.choices, tables.handlers, tables.cautions)
         for table in (*(each(behaviour) for each in more), tables.host_numbers(made, behaviour)):

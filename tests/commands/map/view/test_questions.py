@@ -75,7 +75,7 @@ QUESTIONS = {
         "what does the machine wait for before it lowers on the belt?": [
             "waits in 25 called in 40, 32: WN4 [input 4 (belt free)]"
         ],
-        "which register counts the parts?": ["30 register 27, 36 27", "27 prints 'part 3'"],
+        "which register counts the parts?": ["30 register 27, 36 0 (36) 27", "27 prints 'part 3'"],
     },
     "palletiser.prg": {
         "what is input 2?": ["input 2 GRIPPER SHUT in 74"],
@@ -143,7 +143,7 @@ QUESTIONS = {
             "waits in 22-24 called in 60: CN34",
             "input 1 (fixture loaded) on → 27",
         ],
-        "which register has the shot?": ["24 shot register 52 33", "moves MR = @24 computed 33"],
+        "which register has the shot?": ["24 shot register 52 1000 (52) 33", "moves MR = @24 computed 33"],
         "after how long is the lock a fault?": [
             "by itself → 39 called in 60, 2.00 s: output 35 (fault lamp) on; 'table lock'"
         ],
