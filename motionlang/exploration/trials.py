@@ -364,7 +364,7 @@ def described(move: LoggedMove, is_homing: bool) -> str:
         return "" if profile is None else move.command
     words = [move.command] if profile.duration == inf else []
     if profile.duration < inf:
-        words.append(f"to {move.to_user(profile.end):.6g}")
+        words.append(f"to {round(move.to_user(profile.end), 6) + 0.0:.6g}")
     if profile.peak_speed:
         words.append(f"at {move.size_to_user(profile.peak_speed):.6g}")
     return " ".join(words)

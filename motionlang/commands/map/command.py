@@ -81,7 +81,7 @@ examples:
         if self.unit is not None:
             text = unit_text(made, _unit(made, self.unit), width=width, colour=colour)
         elif self.line is not None:
-            text = line_text(made, self.line, width=width, colour=colour)
+            text = line_text(made, self.line, width=width, colour=colour, has_all=self.all)
         else:
             text = render(made, width=width, colour=colour, has_all=self.all)
         if self.format in ("text", "json", "csv", "none"):

@@ -58,13 +58,7 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
         for choice in made.behaviour.choices:
             text = f"{choice.instead}, waiting in {choice.state}: {_then(choice.then)}"
             found += _wrapped(text, "  ", width)
-        if made.behaviour.handlers:
-            found += ["", styled("Handlers", "bold", colour)]
-        handlers = made.behaviour.handlers[: None if has_all else MAX_HANDLERS]
-        left = len(made.behaviour.handlers) - len(handlers)
-        for each in handlers:
-            found += _handler(each, width)
-        found += [f"  … {left} more: --all shows them"] if left else []
+        found += _handlers(made.behaviour.handlers, width, colour, has_all)
         host = tables.host_numbers(made, made.behaviour)
         found += ["", *host.lines(width, colour=colour)] if host.rows else []
     for table in tables.of_text(made):
@@ -157,11 +151,17 @@ def _ways(transitions: Sequence[TransitionRow], width: int) -> Iterator[str]:
         yield from _wrapped(f"{each.until} → {each.to}, {each.seconds:.2f} s{then}", "  ", width)
 
 
-def _handler(row: HandlerRow, width: int) -> list[str]:
-    then = f": {_then(row.then)}" if row.then else ""
-    return _wrapped(
-        f"{row.unit}: {row.start}, waiting in {_some(list(row.states))} → {row.to}{then}", "  ", width
-    )
+def _handlers(rows: Sequence[HandlerRow], width: int, colour: bool, has_all: bool) -> Iterator[str]:
+    """Yield what handlers do, the first rows or all of them."""
+    shown = rows[: None if has_all else MAX_HANDLERS]
+    if shown:
+        yield from ("", styled("Handlers", "bold", colour))
+    for row in shown:
+        then = f": {_then(row.then)}" if row.then else ""
+        states = _some(list(row.states))
+        yield from _wrapped(f"{row.unit}: {row.start}, waiting in {states} → {row.to}{then}", "  ", width)
+    if len(rows) > len(shown):
+        yield f"  … {len(rows) - len(shown)} more: --all shows them"
 
 
 def _then(acts: Sequence[str]) -> str:
@@ -184,7 +184,7 @@ def _wrapped(text: str, indent: str, width: int) -> list[str]:
     )  # fmt: skip
 
 
-def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False) -> str:
+def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False, has_all: bool = False) -> str:
     """Return the states and the ways in which a line runs, or why it never ran."""
     source, behaviour = made.source, made.behaviour
     assert behaviour is not None
@@ -196,9 +196,7 @@ def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False) 
             _state(replace(state, transitions=ways), width, colour) if ways or line in state.lines else []
         )
     handlers = [each for each in behaviour.handlers if line in each.lines]
-    found += ["", styled("Handlers", "bold", colour)] if handlers else []
-    for each in handlers:
-        found += _handler(each, width)
+    found += _handlers(handlers, width, colour, has_all)
     if len(found) == 1:
         never = next((each for each in behaviour.unreached if each.first <= line <= each.last), None)
         why = f": {never.why}" if never is not None and never.why else ""
