@@ -54,8 +54,8 @@ PASSES = 2
 COMPARED = 6
 # A world is tried for so long, s.
 WHOLE = 300.0
-# So many cycles are played until one repeats.
-PLAYED = 6
+# So many cycles are played until one repeats, and of those that do not, so many are played in the world that it takes.
+PLAYED, EXPLAINED = 6, 2
 # A rest that is shorter than this, s, is over before a change comes.
 SHORT = 0.1
 # What happens so close to the ends of a rest, s, led there or leads on.
@@ -83,9 +83,11 @@ class FoundWorld(NamedTuple):
 def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int = TIMES) -> FoundWorld:
     """Return the world of the likeliest cycle that repeats when it is played, or of one that comes furthest.
 
+    A cycle that ends after a turn or two, such as a batch of one, may go on in the world of these turns.
     Without a cycle it is the world in which the program comes furthest.
     """
     best: tuple[int, MachineCycle, Trial] | None = None
+    explained = 0
     for cycle in likeliest[:PLAYED]:
         trial = played(explorer, cycle, times=times)
         has_level = any(each.table == "analogue" for _, each in trial.timeline)
@@ -99,12 +101,24 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
             best = count, cycle, trial
         if count >= min(times, ENOUGH):
             break
+        if 0 < count < times and cycle.repeats and cycle.work and explained < EXPLAINED:
+            # The changes of the next turn are other ones, but they may be the same answers.
+            explained += 1
+            found = _explained(explorer, count, cycle, trial)
+            if _goes_on(found):
+                return found
     if best is None:
         furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
         trial = explorer.play(furthest.timeline, 0.0)
         best = 0, MachineCycle((), furthest, (), frozenset(), 0.0), trial
     count, cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
+
+
+def _goes_on(found: FoundWorld) -> bool:
+    """True if the work of a cycle comes again and again in its world."""
+    often = Counter(each.line for each in found.run.machine.log.moves)
+    return all(often[line] >= ENOUGH for line in found.cycle.work)
 
 
 def _with_more_on(

@@ -1,9 +1,9 @@
 """`diff --explore` on random edits that were judged by reading, before anything compared them: `edits.txt`.
 
-None that does not matter is reported, and at least 90 of 100 that matter are wanted. Of 91 that were played 81 are
-found: four of the others only an error or an edge shows that nothing brings, three lie behind the place where
-`glue.mnt` waits for ever, two change the speed of a move as it begins, which is the same motion, and one an input that
-is on before it is asked for. It takes half an hour.
+Of 100 that matter 90 are found, and of 30 that do not none is reported. Of those that escape four show only with an
+error or an edge that nothing brings, three lie behind the place where `glue.mnt` waits for ever, two change the speed
+of a move as it begins, which is the same motion, and one an input that is on before it is asked for. It takes a
+quarter of an hour.
 """
 
 from __future__ import annotations
@@ -127,7 +127,6 @@ def test_no_edit_is_reported_that_does_not_matter(compared: Compared) -> None:
 
 
 @pytest.mark.long
-@pytest.mark.xfail(strict=True, reason="10 escape of the 91 that were played")
 def test_ninety_of_a_hundred_edits_that_matter_are_found(compared: Compared) -> None:
     assert compared.mattering == 100
     assert len(compared.missed) <= 10, compared.missed
