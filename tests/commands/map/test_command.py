@@ -80,11 +80,11 @@ Handlers
       19.995 at 100; output 3 (clamp) off; 'piece 1.0000'
 
 Inputs and outputs
-channel   name           use  waited for  read  written    values  starts
-────────────────────────────────────────────────────────────────────────────────────────
-input 1   part in place  in   4, 14
-input 2   door           in                                        event IN2
-input 5   ribbon low     in                                                   never used
+channel   name           use  waited for  read  written    values  decides                    starts
+───────────────────────────────────────────────────────────────────────────────────────────────────────────────────
+input 1   part in place  in   4, 14                                4: INX(1); 14: INX(1) = 0
+input 2   door           in                                                                   event IN2
+input 5   ribbon low     in                                                                              never used
 output 3  clamp          out                    5, 10, 17  1, 0
 
 Axes
@@ -105,9 +105,9 @@ sub Spare    16  program (13)
 event IN2    19                input 2
 
 Variables
-name  kind      written  read
-─────────────────────────────────
-n     variable  11       11-13
+name  kind      written  read   decides
+──────────────────────────────────────────────────
+n     variable  11       11-13  13: n > 1000000
 
 Never reached
 from line  to line  text         why
@@ -255,7 +255,7 @@ def test_what_variables_are_set_to_and_which_inputs_are_active_low(cell: Cell) -
         "  If state = 2 Then state = 0\n  Pause INX(1)\nEnd Loop\n",
     )
     shown = [" ".join(line.split()) for line in cell("map", "a.mnt").out.splitlines()]
-    assert "state variable 5, 7, 9 _WAIT (5), 2 (7), 0 (9) 9" in shown
+    assert "state variable 5, 7, 9 _WAIT (5), 2 (7), 0 (9) 9 9: state = 2" in shown
     assert "active low, so the program reads 0 when it is on: input 1" in shown
 
 
