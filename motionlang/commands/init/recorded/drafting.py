@@ -179,7 +179,7 @@ def _fitted(
     """Return the entries that no column has, as the recording needs them, and the rules of the inputs.
 
     They are fitted with the rules, and with the inputs as recorded if the rules may be wrong. With them in place, the
-    run judges the rules again.
+    run judges the rules again. Inputs as recorded agree with many entries, so other rules need another fit.
     """
     rules = judged(recording, lambda given: play(given, guesses))
 
@@ -192,7 +192,11 @@ def _fitted(
         return found, rules
     if not found.is_perfect and not recording.is_late:
         found = max(found, fit(recorded_rules(recording)), key=lambda each: each.score)
-    return found, judged(recording, lambda given: play(given, found.tables))
+    again = judged(recording, lambda given: play(given, found.tables))
+    if any(rule.entries != rules.rules[number].entries for number, rule in again.rules.items()):
+        found = fit(again.rules)
+        again = judged(recording, lambda given: play(given, found.tables))
+    return found, again
 
 
 def power_up_of(
