@@ -231,3 +231,30 @@ def test_a_gap_does_not_lose_a_rule(cell: Cell) -> None:
     assert ran.status == 0, ran.err
     found: list[Entry] = read_machine(Source.read(str(cell.folder / "feed.machine.toml")))["input"]  # type: ignore[assignment]
     assert all("output" in each and "guess" not in each for each in found)
+
+
+def test_the_switch_of_an_axis_is_no_input_of_an_operator(cell: Cell) -> None:
+    """Its column is left out, and the homing measured: what an axis reads is no question of the exploration."""
+    cell.write(
+        "dial.mccl",
+        """MD1,1US100,1MN,1SV40,1SA1000,1DS1000,1VM,1DI1,1GO,1FE0,1ST,1WS.1,1PM,1SV100,1MA0,1WS.05,MJ2
+MD2,IN2,MJ3,NO,WA.02,MJ2
+MD3,CN9,WN3,1MR20,1WS.05,CF9,WF3,MJ2
+MC1
+""",
+    )
+    world: dict[str, object] = {
+        "input": [{"channel": 2, "at": 3.0}, {"channel": 3, "output": 9, "delay": 0.25}],
+        "axis.1.home_switch": [-40.0, -12.0],
+        "run.until": 20.0,
+    }
+    table = Logger(0.005).table(machine_run(cell.folder / "dial.mccl", world))
+    way = table["axis1_position_uu"].copy()
+    way[table["time_s"] > 102.0] = 0.0  # the homing alone
+    table["in17"] = (way <= -11.0).astype(float)
+    cell.write("rec.csv", csv_of(table))
+    ran = cell("init", "dial.mccl", "--recording", "rec.csv", "--format", "none")
+    assert "note: input 17 is recorded, and the program never reads it: left out\n" in ran.err
+    machine = read_machine(Source.read(str(cell.folder / "dial.machine.toml")))
+    assert {each["channel"] for each in machine["input"]} == {2, 3}  # type: ignore[attr-defined]
+    assert machine["axis.1.home_switch"][1] == pytest.approx(-12.0, abs=0.1)  # type: ignore[index]

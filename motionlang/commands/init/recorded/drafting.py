@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import replace
 from math import inf
 from typing import NamedTuple
@@ -99,8 +99,7 @@ def measure(
     missed = _missed_inputs(draft.run, recording)
     if missed:
         sentences += missed.values()
-        seen = {number: each for number, each in recording.inputs.items() if number not in missed}
-        recording = replace(recording, inputs=seen)
+        recording = _with_inputs(recording, recording.inputs.keys() - missed.keys())
         rules = {number: rule for number, rule in rules.items() if number not in missed}
         draft = drafting({**board, **settings_of(rules, recording)[0]})
     guesses = {table: draft.entries(table) for table in TABLES}
@@ -202,7 +201,7 @@ def _fitted(
 def power_up_of(
     program: Program, raw: MeasuredRecording, board: Mapping[str, object]
 ) -> tuple[MeasuredRecording, list[str]]:
-    """Return a recording whose times count from power-up, with sentences about it."""
+    """Return a recording of what a program names whose times count from power-up, with sentences about it."""
     _check_axes(program, raw, board)
     sentences = [*short_remarks(raw)]
     found, late = _power_up(program, raw, board)
@@ -220,7 +219,8 @@ def power_up_of(
         sentences.append(
             f"the machine is switched on {zero - raw.begin:.4g} s after the begin of the recording"
         )
-    return since(replace(raw, is_late=bool(late)), zero), sentences
+    named = _with_inputs(raw, raw.inputs.keys() - _unnamed(program, raw))
+    return since(replace(named, is_late=bool(late)), zero), sentences
 
 
 def check_program(program: Program, found: Refined, recording: MeasuredRecording) -> Iterator[str]:
@@ -311,17 +311,33 @@ def _world(draft: Draft, given: Mapping[str, object], tables: Tables) -> dict[st
 
 def unread(program: Program, raw: MeasuredRecording, guesses: Tables) -> Iterator[str]:
     """Yield what the recording has and the program does not read, and the other way round."""
+    unused = sorted(_unnamed(program, raw))
+    if unused:
+        yield (
+            f"{_list('input', unused)} {_is(unused)} recorded, and the program never reads {_it(unused)}: left out"
+        )
     uses = [use for _, use in program.structure.inputs()]
     missing: list[str] = []
     if all(use.channel == "input" and use.number.isdecimal() for use in uses):
-        known = {int(use.number) for use in uses}
-        unused = sorted(raw.inputs.keys() - known)
-        if unused:
-            yield f"{_list('input', unused)} {_is(unused)} recorded, and the program never reads {_it(unused)}"
-        missing = [f"input {each}" for each in sorted(known - raw.inputs.keys())]
+        missing = [f"input {each}" for each in sorted({int(use.number) for use in uses} - raw.inputs.keys())]
     missing += [subject(table, each) for table in TABLES for each in guesses.get(table, ())]
     if missing:
         yield f"not recorded: {', '.join(dict.fromkeys(missing))}; the entries are guesses"
+
+
+def _unnamed(program: Program, raw: MeasuredRecording) -> set[int]:
+    """Return the recorded inputs that a program does not name: those of an axis at most, which has its own switches."""
+    uses = [use for _, use in program.structure.inputs()]
+    for each in program.structure.statements.values():
+        uses += [use for use in each.channels if use.channel == "input"]
+    if not all(use.channel == "input" and use.number.isdecimal() for use in uses):
+        return set()
+    return raw.inputs.keys() - {int(use.number) for use in uses}
+
+
+def _with_inputs(recording: MeasuredRecording, numbers: Collection[int]) -> MeasuredRecording:
+    kept = {number: each for number, each in recording.inputs.items() if number in numbers}
+    return replace(recording, inputs=kept)
 
 
 def _list(one: str, numbers: list[int]) -> str:

@@ -257,7 +257,7 @@ class Board:
 
     def is_driven(self, channel: int) -> bool:
         """True if the world or the program drives an input."""
-        if self.controller.inputs[channel] != 0:
+        if self.controller.inputs.present(channel) != 0:  # the program reads nothing
             return True
         world = self.machine.world
         return world is not None and channel in world.driven
