@@ -32,9 +32,6 @@ UNTIL = 60.0
 KINDS = ("before", "noise", "middle", "events")
 # A change of an input is the same within this time, s, and this share of the time: a person is no clock.
 NEAR, SHARE = 0.03, 0.01
-# False all the same: the program asks for an answer first, so nothing shows when the machine was switched on, and the
-# presses of a clock count from the first row.
-KNOWN = {("coiler.prg", "before"): [1]}
 Columns = dict[str, NDArray[np.float64]]
 Changes = dict[int, list[tuple[float, int]]]
 
@@ -98,5 +95,4 @@ def test_no_rule_is_false_without_a_mark(cell: Cell, program: str, kind: str) ->
     kept = {key: value for key, value in settings.items() if not key.startswith("run.stop")}
     mine, right = changes(machine_run(Path(path), {**kept, "run.until": UNTIL})), changes(run)
     false = [each for each in sorted(right) if not is_same(mine[each], right[each]) and each not in guessed]
-    known = KNOWN.get((program, kind), [])
-    assert false == known
+    assert not false

@@ -244,11 +244,14 @@ def matched(
     beside = _beside(run)
     theirs = [each for each in recorded_marks(recording) if _counts(each, kinds, beside)]
     mine = [each for each in run_marks(run, recording) if _counts(each, kinds, beside)]
-    # What happens at power-up may be in no row.
+    # What happens at power-up may be in no row. If it comes later in the recording, this begins before power-up.
     since, until = recording.begin + near(recording), LONGER * recording.end
+    early = {*_at_begin(recording), *(each.label for each in theirs if each.time <= since)}
+    later = {each.label for each in theirs} - early
+    mine = [each for each in mine if each.time > since or each.label in later]
+    theirs = [each for each in theirs if each.time > since]
     mine, theirs = (
-        _grouped([each for each in marks if since < each.time <= until], recording)
-        for marks in (mine, theirs)
+        _grouped([each for each in marks if each.time <= until], recording) for marks in (mine, theirs)
     )
     pairs: list[tuple[int, int]] = []
     for voice in dict.fromkeys(map(_voice, theirs)):
