@@ -233,19 +233,20 @@ def test_a_gap_does_not_lose_a_rule(cell: Cell) -> None:
     assert all("output" in each and "guess" not in each for each in found)
 
 
-def test_the_switch_of_an_axis_is_no_input_of_an_operator(cell: Cell) -> None:
-    """Its column is left out, and the homing measured: what an axis reads is no question of the exploration."""
-    cell.write(
-        "dial.mccl",
-        """MD1,1US100,1MN,1SV40,1SA1000,1DS1000,1VM,1DI1,1GO,1FE0,1ST,1WS.1,1PM,1SV100,1MA0,1WS.05,MJ2
+DIAL = """MD1,1US100,1MN,1SV40,1SA1000,1DS1000,1VM,1DI1,1GO,1FE0,1ST,1WS.1,1PM,1SV100,1MA0,1WS.05,MJ2
 MD2,IN2,MJ3,NO,WA.02,MJ2
 MD3,CN9,WN3,1MR20,1WS.05,CF9,WF3,MJ2
 MC1
-""",
-    )
+"""
+
+
+def test_the_switch_of_an_axis_is_no_input_of_an_operator(cell: Cell) -> None:
+    """Its column is left out, and the homing measured: what an axis reads is no question of the exploration."""
+    cell.write("dial.mccl", DIAL)
     world: dict[str, object] = {
         "input": [{"channel": 2, "at": 3.0}, {"channel": 3, "output": 9, "delay": 0.25}],
         "axis.1.home_switch": [-40.0, -12.0],
+        "controller.model": "dcx-pci300",
         "run.until": 20.0,
     }
     table = Logger(0.005).table(machine_run(cell.folder / "dial.mccl", world))
@@ -258,3 +259,30 @@ MC1
     machine = read_machine(Source.read(str(cell.folder / "dial.machine.toml")))
     assert {each["channel"] for each in machine["input"]} == {2, 3}  # type: ignore[attr-defined]
     assert machine["axis.1.home_switch"][1] == pytest.approx(-12.0, abs=0.1)  # type: ignore[index]
+
+
+def test_what_is_switched_before_is_no_power_up(cell: Cell) -> None:
+    """The recording begins at rest; the axis moves as at power-up, but an output is on before."""
+    cell.write(
+        "shuttle.mccl",
+        """MD1,1US100,1MN,1SV100,1SA1000,1DS1000,1MR20,1WS.05,1MR-20,1WS.05,MJ2
+MD2,IN2,MJ3,NO,WA.02,MJ2
+MD3,CN9,WN3,1MR20,1WS.05,1MR-20,1WS.05,CF9,WF3,MJ2
+MC1
+""",
+    )
+    world: dict[str, object] = {
+        "input": [
+            {"channel": 2, "at": 3.0, "for": 0.3, "every": 4.0},
+            {"channel": 3, "output": 9, "delay": 0.8},
+        ],
+        "controller.model": "dcx-pci300",
+        "run.until": 40.0,
+    }
+    result = machine_run(cell.folder / "shuttle.mccl", world)
+    cell.write("rec.csv", csv_of(Logger(0.005, before=-6.0).table(result)))
+    ran = cell("init", "shuttle.mccl", "--recording", "rec.csv", "--format", "none")
+    assert "begins while the machine runs, since output 9 is switched before the program does what" in ran.err
+    machine = read_machine(Source.read(str(cell.folder / "shuttle.machine.toml")))
+    (sensor,) = [each for each in machine["input"] if each["channel"] == 3]  # type: ignore[attr-defined]
+    assert sensor == {"channel": 3, "output": 9, "delay": pytest.approx(0.8, abs=0.005)}

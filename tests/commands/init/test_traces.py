@@ -22,7 +22,6 @@ PROGRAMS = (
     "coiler.prg",
     "dispenser.mccl",
     "packer.prg",
-    "palletiser.prg",
     "pickplace.mccl",
     "rotary.mccl",
     "table.mccl",

@@ -33,6 +33,7 @@ from motionlang.commands.init.recorded.outcome import (
     clock_of,
     cycle_text,
     matched,
+    near,
     power_up,
     recorded_marks,
     run_marks,
@@ -290,7 +291,15 @@ def _power_up(
         return None, late
     recorded = entries(given, "input") + entries(given, "analogue")
     times = [at for each in recorded if isinstance(at := each.get("at"), float) and at > 0.0]
-    return power_up(first, raw, min(times, default=raw.end)), ""
+    found = power_up(first, raw, min(times, default=raw.end))
+    zero = raw.begin if found is None else found
+    before = (
+        each for each in recorded_marks(raw) if each.label[0] == "output" and each.time < zero - near(raw)
+    )
+    earlier = next(before, None)
+    if earlier is not None:
+        return None, f"output {earlier.label[1]} is switched before the program does what it does at power-up"
+    return found, ""
 
 
 def program_run(program: Program, settings: Mapping[str, object], until: float) -> Run:
