@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -231,6 +232,21 @@ def test_a_gap_does_not_lose_a_rule(cell: Cell) -> None:
     assert ran.status == 0, ran.err
     found: list[Entry] = read_machine(Source.read(str(cell.folder / "feed.machine.toml")))["input"]  # type: ignore[assignment]
     assert all("output" in each and "guess" not in each for each in found)
+
+
+def test_what_was_before_a_recording_is_a_guess() -> None:
+    """A level that never changes, if the machine ran before; and a clock, if nothing shows power-up."""
+    known = MeasuredRecording("r.csv", 0.0, 20.0, 0.01)
+    constant = Digital("in1", 1, (), 0)
+    times = [each for k in range(5) for each in (1.0 + 3.0 * k, 1.5 + 3.0 * k)]
+    clock = Digital("in2", 0, tuple(RecordedChange(at, 1 - k % 2, 0.005) for k, at in enumerate(times)), 0)
+    late, unplaced = replace(known, is_late=True, is_placed=False), replace(known, is_placed=False)
+    assert [rules_of(1, constant, each)[0].is_guess for each in (known, unplaced, late)] == [
+        False,
+        False,
+        True,
+    ]
+    assert [rules_of(2, clock, each)[0].is_guess for each in (known, unplaced, late)] == [False, True, True]
 
 
 DIAL = """MD1,1US100,1MN,1SV40,1SA1000,1DS1000,1VM,1DI1,1GO,1FE0,1ST,1WS.1,1PM,1SV100,1MA0,1WS.05,MJ2

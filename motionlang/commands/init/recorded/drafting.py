@@ -221,7 +221,7 @@ def power_up_of(
             f"the machine is switched on {zero - raw.begin:.4g} s after the begin of the recording"
         )
     named = _with_inputs(raw, raw.inputs.keys() - _unnamed(program, raw))
-    return since(replace(named, is_late=bool(late)), zero), sentences
+    return since(replace(named, is_late=bool(late), is_placed=found is not None), zero), sentences
 
 
 def check_program(program: Program, found: Refined, recording: MeasuredRecording) -> Iterator[str]:

@@ -83,7 +83,7 @@ class Series(NamedTuple):
 class MeasuredRecording:
     """The recorded channels and axes of a machine, by number; times in s, `step` is the usual one from row to row.
 
-    `is_late` is True if it begins after power-up.
+    `is_late` is True if it begins after power-up, `is_placed` if its times count from power-up.
     """
 
     name: str
@@ -95,6 +95,7 @@ class MeasuredRecording:
     analogue: dict[int, Series] = field(default_factory=dict)
     positions: dict[int, Series] = field(default_factory=dict)
     is_late: bool = False
+    is_placed: bool = True
     sentence: str = ""
     gaps: tuple[tuple[float, float], ...] = ()
     remarks: tuple[Diagnostic, ...] = ()

@@ -90,9 +90,10 @@ class MeasuredFigure(NamedTuple):
 class MeasuredRule(NamedTuple):
     """Why an input changes: entries of the machine file, each with a comment, and how well they explain it.
 
-    `subject` names the cause. `seen` counts the changes that agree, `missed` has the times at which the cause had no
-    effect, `spread` is that of the times, s, `delay` the time after the cause. The more a rule assumes, the larger is
-    its `size`. `others` are the subjects of rules that explain the input equally well, `reason` says why not these.
+    `subject` names the cause. `seen` counts the changes that agree, 0 if it assumes something before the recording,
+    `missed` has the times at which the cause had no effect, `spread` is that of the times, s, `delay` the time after
+    the cause. The more a rule assumes, the larger is its `size`. `others` are the subjects of rules that explain the
+    input equally well, `reason` says why not these.
     """
 
     subject: str
@@ -121,7 +122,8 @@ def rules_of(number: int, channel: Digital, recording: MeasuredRecording) -> lis
     if not channel.changes:
         text = f"{'on' if channel.first else 'off'} in all of the recording"
         constant: Entry = {"channel": number, "at": 0.0, **({} if channel.first else {"value": 0})}
-        return [MeasuredRule("", (constant,), (text,), SEEN, 0.0, 0)]
+        seen = 0 if recording.is_late else SEEN  # what was before it begins, nothing shows
+        return [MeasuredRule("", (constant,), (text,), seen, 0.0, 0)]
     found = [*_following(number, channel, recording), *_along_axes(number, channel, recording)]
     found += [*_every(number, channel, recording), *_once(number, channel, recording)]
     least = min((len(each.missed) for each in found), default=0)
@@ -550,7 +552,7 @@ def _every(number: int, channel: Digital, recording: MeasuredRecording) -> Itera
         "time",
         (entry,),
         (f"every {period.interval}; for {length}",),
-        len(starts),
+        len(starts) if recording.is_placed else 0,
         max(period.spread, length.spread),
         4,
         is_wide=length.is_wide,
