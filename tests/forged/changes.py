@@ -19,7 +19,7 @@ PACKAGE = ROOT / "motionlang"
 # The modules that compute motion.
 _MODULES = {
     "kernel/planners": (
-        "ramps shapes target transition ramp_down stop jerk_limited segment_speed lookahead reparametrised curve "
+        "ramps shapes target transition ramp_down stop segment_speed lookahead reparametrised curve "
         "cubics arc table_motion reference superposition dwell pieces sequence crossing"
     ),
     "commands/plan": "solve reach",

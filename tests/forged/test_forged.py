@@ -27,7 +27,7 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("kernel.planners.transition", "distance_of_steps", "0.5", "0.55", "events in S-ramps.mnt"),
     ("kernel.planners.ramp_down", "_on_slope", "index + 1", "index - 1", "S-curves of PMC.mcl"),
     ("kernel.planners.stop", "plan_velocity", "sign * after", "sign / after", "jogs in S-ramps.mnt"),
-    ("kernel.planners.jerk_limited", "JerkLimited.__init__", "1", "2", "targets in S-ramps.mnt"),
+    ("kernel.planners.target", "JerkLimited.__init__", "1", "2", "targets in S-ramps.mnt"),
     ("kernel.planners.target", "_continued", "sign * a0", "sign / a0", "events in S-ramps.mnt"),
     ("kernel.planners.segment_speed", "_top", "max(speed, v1)", "min(speed, v1)", "paths.mnt"),
     ("kernel.planners.lookahead", "plan_course", "max(0.0, length - passed)", "0.0", "paths.mnt"),
