@@ -339,7 +339,10 @@ class _Words:
         return next(found, "") if each.is_cut else ""
 
     def handlers(self) -> list[HandlerRow]:
-        """Return what handlers do: for each move that one meets what is seen in most states, then the rest."""
+        """Return what handlers do: for each move that one meets the row in which most goes on, then the rest.
+
+        What is at rest, and the rest, is in the order of the states in which it is seen.
+        """
         found: dict[Hashable, HandlerRow] = {}
         for node in self.exploration.nodes:
             for each in kept(node.transitions):
@@ -362,7 +365,9 @@ class _Words:
         )
         first: dict[tuple[str, int], HandlerRow] = {}
         for row in rows:
-            first.setdefault((row.unit, row.meets), row)
+            known = first.setdefault((row.unit, row.meets), row)
+            if row.meets and len(row.then) > len(known.then):
+                first[row.unit, row.meets] = row
         return [*first.values(), *(row for row in rows if row is not first[row.unit, row.meets])]
 
     def choices(self) -> list[ChoiceRow]:

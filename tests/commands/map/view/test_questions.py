@@ -159,7 +159,7 @@ QUESTIONS = {
         "which axis is the pump?": ["axis 3 (pump)"],
         "how does it keep the needle from dripping?": [
             "draw back half a turn so that it does not drip, then up",
-            "35 axis 3 (pump) from 12000 to 11800 at 800",
+            "35 axis 3 (pump) from 11000 to 10800 at 800",
         ],
     },
 }
