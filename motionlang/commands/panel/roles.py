@@ -37,7 +37,8 @@ def roles_of(source: Source, settings: Mapping[str, object]) -> Roles:
     stops: dict[int, set[int]] = defaultdict(set)
     for node in found.nodes:
         for one in node.transitions:
+            cut = {line for line, ended in one.does.moves if ended}
             for each in one.causes:
-                if each.moment.line:
+                if each.moment.line in cut or (each.moment.line and one.is_cut):
                     stops[each.moment.line].add(each.number)
     return Roles(kinds, {line: sorted(numbers) for line, numbers in stops.items()})
