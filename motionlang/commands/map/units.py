@@ -11,9 +11,11 @@ from motionlang.kernel.lang import CALL, ENTER, Definition, Structure, Unit
 
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
 _MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)
-# What sets a variable to a number, a constant or a text, behind its name; what sets a register, before its number.
+# What sets a variable to a number, a constant or a text, behind its name, the element of an array first; what sets a
+# register, before its number.
 _ASSIGNED = re.compile(
-    r"(?i)[ \t]*=[ \t]*([-+]?[\w.]+|\"[^\"\n]*\")[ \t]*(?:$|[:'\r\n]|else\b|end\b)", re.MULTILINE
+    r"(?i)(\([^()\n]*\))?[ \t]*=[ \t]*([-+]?[\w.]+|\"[^\"\n]*\")[ \t]*(?:$|[:'\r\n]|else\b|end\b)",
+    re.MULTILINE,
 )
 _LOADED = re.compile(r"(?i)AL(@?[-+]?[\d.]+)[ \t]*,[ \t]*AR$")
 # The kinds of definitions that hold a value.
@@ -139,10 +141,12 @@ def _given(structure: Structure, definition: Definition) -> dict[str, list[int]]
         if start in structure.writes and definition.kind in ("variable", "register"):
             line = structure.line(start)
             begin = text.rfind("\n", 0, start) + 1
-            before = _LOADED.search(text, begin, start)
-            given = _ASSIGNED.match(text, end) or before
-            if given is not None and line not in found.setdefault(given[1], []):
-                found[given[1]].append(line)
+            given = _ASSIGNED.match(text, end)
+            loaded = _LOADED.search(text, begin, start)
+            value = f"{given[1]}: {given[2]}" if given and given[1] else given[2] if given else ""
+            value = value or (loaded[1] if loaded else "")
+            if value and line not in found.setdefault(value, []):
+                found[value].append(line)
     return found
 
 
