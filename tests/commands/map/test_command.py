@@ -250,7 +250,8 @@ def test_a_line_with_the_states_and_ways_in_which_it_runs(program: Cell) -> None
 def test_what_variables_are_set_to_and_which_inputs_are_active_low(cell: Cell) -> None:
     cell.write(
         "a.mnt",
-        "Const _WAIT = 1\nDim state As Integer, n As Integer, a(2) As Integer : a(2) = 7\nINPUTACTIVELEVEL(0) = 0xFFFD\nLoop\n  state = _WAIT\n"
+        "Const _WAIT = 1\nDim state As Integer, n As Integer, a(2) As Integer : a(2) = 7\n"
+        "INPUTACTIVELEVEL(0) = 0xFFFD\nLoop\n  state = _WAIT\n"
         "  Pause INX(1) = 0\n  state = 2 : n = n + 1\n  MOVER(0) = n : GO(0) : Pause IDLE(0)\n"
         "  If state = 2 Then state = 0\n  Pause INX(1)\nEnd Loop\n",
     )
