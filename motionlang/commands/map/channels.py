@@ -23,8 +23,8 @@ class Channel:
     """A channel: `kind` is one of `CHANNELS`, `number` its text, "?" for all that are known only at run time.
 
     The lists have lines: those that read and write it, those at which a task waits for it, and those that assign it to
-    function of an axis. `starts` is what its change starts. `values` are the texts of what is written. `names_at` are
-    the offsets of the keywords that use it.
+    function of an axis. `starts` is what its change starts. `values` are the texts of what is written,
+    `decides` the conditions that read it, each with its line. `names_at` are the offsets of the keywords that use it.
     """
 
     kind: str
@@ -38,6 +38,7 @@ class Channel:
     starts: list[str] = field(default_factory=list)
     values: list[str] = field(default_factory=list)
     names_at: set[int] = field(default_factory=set)
+    decides: dict[str, None] = field(default_factory=dict)
 
     @property
     def title(self) -> str:
@@ -93,12 +94,12 @@ def channels(
     found: dict[tuple[str, str], Channel] = {}
     in_loops = polled(structure)
     uses = [
-        (use, bool(statement.waits) or _is_polled(use, in_loops.get(statement.line, ())))
+        (use, bool(statement.waits) or _is_polled(use, in_loops.get(statement.line, ())), statement.condition)
         for statement in structure.statements.values()
         for use in statement.channels
     ]
-    outputs = {use.number for use, _ in uses if use.channel == "output" and use.access == WRITE}
-    for use, waits in uses:
+    outputs = {use.number for use, *_ in uses if use.channel == "output" and use.access == WRITE}
+    for use, waits, condition in uses:
         kind = use.channel
         if kind == "digital" or (kind == "input" and structure.has_one_series):
             kind = "output" if use.number in outputs else "input"
@@ -106,7 +107,10 @@ def channels(
         if kind == "answer":
             channel.name, channel.named_by = use.number, "program"
         channel.names_at.add(use.name_at)
-        _enter(channel, use, structure.line(use.at), waits)
+        line = structure.line(use.at)
+        _enter(channel, use, line, waits)
+        if condition and use.access == READ:
+            channel.decides[f"{line}: {condition}"] = None
     for key, value in settings.items():
         wired = _WIRED.fullmatch(key)
         if wired is not None and isinstance(value, int):

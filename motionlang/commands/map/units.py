@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from bisect import bisect_right
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from motionlang.commands.map.comments import Named
@@ -11,13 +12,6 @@ from motionlang.kernel.lang import CALL, ENTER, Definition, Structure, Unit
 
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
 _MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)
-# What sets a variable to a number, a constant or a text, behind its name, the element of an array first; what sets a
-# register, before its number.
-_ASSIGNED = re.compile(
-    r"(?i)(\([^()\n]*\))?[ \t]*=[ \t]*([-+]?[\w.]+|\"[^\"\n]*\")[ \t]*(?:$|[:'\r\n]|else\b|end\b)",
-    re.MULTILINE,
-)
-_LOADED = re.compile(r"(?i)AL(@?[-+]?[\d.]+)[ \t]*,[ \t]*AR$")
 # The kinds of definitions that hold a value.
 _VALUES = ("variable", "parameter", "constant", "define", "register")
 
@@ -45,7 +39,7 @@ class MapVariable:
     """A name with a value, and the lines that read and write it.
 
     `home` is the sub that declares it, "" for all. `meaning` is the name that a comment gives a register. `given` are
-    the numbers and constants that it is set to, each with its lines.
+    the numbers, texts and names that it is set to, each with its lines; `decides` are the conditions that read it.
     """
 
     name: str
@@ -57,6 +51,7 @@ class MapVariable:
     is_retained: bool = False
     meaning: str = ""
     given: Mapping[str, list[int]] = field(default_factory=dict)
+    decides: Sequence[str] = ()
 
     @property
     def is_used(self) -> bool:
@@ -103,10 +98,21 @@ def variables(
         if use.channel == "nv word"
     }
     registers = {str(each.number): each.name for each in names if each.kind == "register"}
+    starts = sorted(structure.statements)
     found = []
     for each in definitions:
         if each.kind not in _VALUES:
             continue
+        given: dict[str, list[int]] = {}
+        decides: dict[str, None] = {}
+        for start, _ in each.uses:
+            line, value = structure.line(start), structure.writes.get(start)
+            if value:
+                _add(given, value, line)
+            k = bisect_right(starts, start) - 1
+            is_read = value is None and k >= 0 and each.kind not in ("constant", "define")
+            condition = structure.statements[starts[k]].condition if is_read else ""
+            decides |= {f"{line}: {condition}": None} if condition else {}
         writes = sorted({structure.line(start) for start, _ in each.uses if start in structure.writes})
         reads = sorted(
             {
@@ -125,29 +131,13 @@ def variables(
                 writes,
                 each.kind == "variable" and each.name in retained,
                 registers.get(each.name, "") if each.kind == "register" else "",
-                _given(structure, each),
+                given,
+                list(decides),
             )
         )
     return sorted(
         found, key=lambda each: (_VALUES.index(each.kind), min([*each.reads, *each.writes, 10**9]), each.name)
     )
-
-
-def _given(structure: Structure, definition: Definition) -> dict[str, list[int]]:
-    """Return the numbers and constants that statements set a variable or a register to, each with its lines."""
-    found: dict[str, list[int]] = {}
-    text = structure.source.text
-    for start, end in definition.uses:
-        if start in structure.writes and definition.kind in ("variable", "register"):
-            line = structure.line(start)
-            begin = text.rfind("\n", 0, start) + 1
-            given = _ASSIGNED.match(text, end)
-            loaded = _LOADED.search(text, begin, start)
-            value = f"{given[1]}: {given[2]}" if given and given[1] else given[2] if given else ""
-            value = value or (loaded[1] if loaded else "")
-            if value and line not in found.setdefault(value, []):
-                found[value].append(line)
-    return found
 
 
 def meant_by(titles: Iterable[str]) -> dict[str, list[str]]:

@@ -177,16 +177,17 @@ class Unit:
 class Structure:
     """The structure of a program.
 
-    `writes` are the offsets of the names of variables that a statement assigns to. `variables` are the names of the
-    shared ones, by their numbers in `Uses`. `has_one_series` is True if inputs
-    and outputs have one series of numbers, so that an output can be read as an input is.
+    `writes` maps the offset of each name of a variable that a statement assigns to, to the number, text or name that it
+    assigns, as in the program, "" for anything else; an element of an array has its index first. `variables` are the
+    names of the shared ones, by their numbers in `Uses`. `has_one_series` is True if inputs and outputs have one series
+    of numbers, so that an output can be read as an input is.
     """
 
     source: Source
     statements: Mapping[int, Statement]
     graph: StepGraph
     units: Sequence[Unit]
-    writes: frozenset[int]
+    writes: Mapping[int, str]
     variables: Mapping[int, str] = field(default_factory=dict)
     has_one_series: bool = False
 

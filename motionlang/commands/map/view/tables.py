@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
@@ -41,26 +40,6 @@ class AxisRow:
         return self.axis.title if self.fact is self.axis.facts[0] else ""
 
 
-class _Conditions:
-    """The conditions of a program by the lines of what they read."""
-
-    def __init__(self, made: ProgramMap) -> None:
-        self._found: dict[int, list[str]] = {}
-        for each in made.structure.statements.values():
-            if each.condition:
-                self._found.setdefault(each.line, []).append(each.condition)
-
-    def __call__(self, *lines: Iterable[int], name: str = "") -> list[str]:
-        """Return the conditions of some lines, each with its line; with a name those that contain it."""
-        at = sorted({line for some in lines for line in some})
-        texts = ((line, text) for line in at for text in self._found.get(line, ()))
-        return [f"{line}: {text}" for line, text in texts if not name or name.lower() in _words(text)]
-
-
-def _words(text: str) -> set[str]:
-    return set(re.findall(r"\w+", text.lower()))
-
-
 def tables(made: ProgramMap) -> list[Table]:
     """Return all tables of a map, the channels first."""
     found = of_text(made)
@@ -78,7 +57,6 @@ def of_text(made: ProgramMap) -> list[Table]:
 
 def channels(made: ProgramMap) -> Table:
     """Return the table of inputs, outputs and other devices."""
-    conditions = _Conditions(made)
     columns = [
         Column("channel", get=lambda row: row.title, left=True),
         Column("name", get=lambda row: row.name, left=True),
@@ -89,9 +67,7 @@ def channels(made: ProgramMap) -> Table:
         _lines("reads", "read"),
         _lines("writes", "written"),
         Column("values", "values", text=", ".join, left=True, drop=4),
-        Column(
-            "decides", get=lambda row: conditions(row.reads, row.waits), text="; ".join, left=True, drop=6
-        ),
+        Column("decides", get=lambda row: list(row.decides), text="; ".join, left=True, drop=6),
         _lines("set_up", "assigned"),
         Column("starts", text="; ".join, left=True, drop=2),
         Column("is_used", "", text=lambda is_used: "" if is_used else "never used", left=True, drop=1),
@@ -141,7 +117,6 @@ def units(made: ProgramMap) -> Table:
 
 def variables(made: ProgramMap) -> Table:
     """Return the table of variables, constants and registers."""
-    conditions = _Conditions(made)
     columns = [
         Column("name", left=True),
         Column("meaning", left=True, drop=1),
@@ -151,9 +126,7 @@ def variables(made: ProgramMap) -> Table:
         _lines("writes", "written"),
         Column("given", "set to", text=_given, left=True, drop=3),
         _lines("reads", "read"),
-        Column(
-            "decides", get=lambda row: conditions(row.reads, name=row.name), text="; ".join, left=True, drop=4
-        ),
+        Column("decides", text="; ".join, left=True, drop=4),
         Column("is_used", "", text=lambda is_used: "" if is_used else "unused", left=True, drop=1),
         Column("is_retained", "", text=lambda is_retained: "non-volatile" if is_retained else "", left=True),
     ]

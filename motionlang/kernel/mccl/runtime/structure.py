@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
@@ -72,12 +72,18 @@ def structure(
         units.append(Unit(f"{number}{again}", "macro", body.line.number, graph.first(body)))
     # A jump by a register has a unit of its own, so that its callers and the macros behind it are not multiplied.
     units += (Unit(name, "macro", each.line_number, graph.first(each)) for name, each in choices.items())
-    writes = frozenset(
-        at + len(command.text) - len(str(command.number))
+    writes = {
+        at + len(command.text) - len(str(command.number)): ""
         for line in lines
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.function == "store"
-    )
+    }
+    for steps in lists:
+        for pc, _, constant in _set(steps):
+            step, command = steps[pc], steps.command(pc)
+            at = step.at + len(command.text) - len(str(command.number)) if command is not None else -1
+            if at in writes and constant is not None:
+                writes[at] = str(constant)
     used = frozenset[int]().union(*(use.reads | use.sets for use in graph.uses if use is not None))
     registers = {n: f"register {n}" for n in sorted(used) if n >= 0}
     return Structure(source, statements, graph, units, writes, registers, has_one_series=True)
@@ -93,6 +99,20 @@ def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
             steps.called[pc] = (above or found)[-1], 0
 
 
+def _set(steps: LineSteps) -> Iterator[tuple[int, int, int | None]]:
+    """Yield the registers that a line sets: the step, the register, and its value if that is a constant."""
+    constant: int | None = None
+    for pc, (step, use) in enumerate(zip(steps, steps.uses, strict=True)):
+        command = steps.command(pc)
+        if use is None or step.kind == BEGIN or command is None:
+            continue
+        yield from ((pc, register, constant) for register in use.sets - {ACCUMULATOR})
+        if ACCUMULATOR in use.sets:
+            constant = command.number if not use.reads else None
+        if step.kind in (CALL, ENTER):
+            constant = None
+
+
 def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) -> dict[str, Steps]:
     """Link the calls by registers that get only constants, as in AL200,AR40: to steps that enter one of these macros.
 
@@ -101,19 +121,12 @@ def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) 
     calls: dict[int, list[tuple[LineSteps, int]]] = {}
     given: dict[int, set[int | None]] = {}
     for steps in lists:
-        constant: int | None = None
-        for pc, (step, use) in enumerate(zip(steps, steps.uses, strict=True)):
+        for _, register, constant in _set(steps):
+            given.setdefault(register, set()).add(constant)
+        for pc, step in enumerate(steps):
             command = steps.command(pc)
-            if use is None or step.kind == BEGIN or command is None:
-                continue
-            for register in use.sets - {ACCUMULATOR}:
-                given.setdefault(register, set()).add(constant)
-            if ACCUMULATOR in use.sets:
-                constant = command.number if not use.reads else None
-            if step.kind in (CALL, ENTER):
-                constant = None
-                if command.kind == REGISTER:
-                    calls.setdefault(int(command.value), []).append((steps, pc))
+            if step.kind in (CALL, ENTER) and command is not None and command.kind == REGISTER:
+                calls.setdefault(int(command.value), []).append((steps, pc))
     found: dict[str, Steps] = {}
     for register, places in calls.items():
         numbers = given.get(register, {None})

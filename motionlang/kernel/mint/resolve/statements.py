@@ -48,9 +48,12 @@ class FactsReader:
         names_changed = [name for node in everything for name in changed(node)]
         dims = [each for node in everything if isinstance(node, nodes.Dim) for each in node.variables]
         self._changed = {meaning(name) for name in names_changed}
-        # The offsets of the names of variables that a statement gives a value to.
-        self.writes = frozenset(each.name.start for each in names_changed)
-        self.writes |= {each.name.start for each in dims if each.values}
+        # The offsets of the names of variables that a statement gives a value to, with simple values.
+        self.writes = dict.fromkeys((each.name.start for each in names_changed), "")
+        self.writes |= {each.name.start: "" for each in dims if each.values}
+        for node in everything:
+            if isinstance(node, nodes.Assign) and node.target.start in self.writes:
+                self.writes[node.target.start] = self._given(node)
         for self._function in names.functions:
             self._block(self._function.body)
 
@@ -264,6 +267,18 @@ class FactsReader:
             yield ChannelUse(row.channel, number, access, at, known_as, value, name.start)
 
     # -------------------------------------------------------------------------------------------------- texts
+
+    def _given(self, node: nodes.Assign) -> str:
+        """Return the number, text or name that a statement assigns, behind the index of an element; "" for others."""
+        value = node.values[0]
+        number = value.operand if isinstance(value, nodes.Unary) else value
+        is_name = isinstance(value, nodes.Name) and value.args is None
+        if len(node.values) > 1 or not (is_name or isinstance(number, (nodes.Number, nodes.String))):
+            return ""
+        index = (
+            self._text(node.target)[len(node.target.name) :] if isinstance(node.target, nodes.Name) else ""
+        )
+        return f"{index}: {self._text(value)}".removeprefix(": ")
 
     def _text(self, node: nodes.Node) -> str:
         """Return a part of the program as it is written, on one line and without comments."""
