@@ -36,12 +36,14 @@ ends the exploration.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
 from typing import NamedTuple
 
 from motionlang.exploration.changes import (
+    AT_REST,
     TABLES,
     TEXTS,
     Change,
@@ -148,6 +150,21 @@ class Exploration:
     def begun(self) -> frozenset[int]:
         """The source offsets of the statements that any trial has carried out."""
         return frozenset(each for each in self._explorer.trials.seen if isinstance(each, int))
+
+    def cut_off(self) -> dict[Change, set[int]]:
+        """Return the changes in the middle of a move that cut off moves, with the lines of these moves.
+
+        A line whose moves are cut off without such a change, too, such as a jog to a mark, is left out.
+        """
+        usual: set[int] = set()
+        found: dict[Change, set[int]] = defaultdict(set)
+        for each in (each for node in self.nodes for each in node.transitions):
+            cut = {line for line, ended in each.does.moves if ended}
+            changes = [one for one in each.causes if one.moment.line]
+            usual |= set() if changes else cut
+            for one in changes:
+                found[one._replace(prompt="", moment=AT_REST)] |= cut
+        return {one: cut - usual for one, cut in found.items() if cut - usual}
 
     def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
         """Return what the tasks that work do in a trial from a time on, in order."""

@@ -59,7 +59,7 @@ def delay(begin: float, end: float) -> float:
 
 
 class Effect(NamedTuple):
-    """What a transition does, but for figures, and for how often a lamp blinks.
+    """The effect of a transition, without figures, and without how often a lamp blinks.
 
     `moves` are the lines that move an axis, each with how it was cut off, "" if it was not; `outputs` those that were
     switched, with their levels; `prints` the printed lines.

@@ -79,7 +79,7 @@ CODES: dict[str, str] = {
     "scale-in-motion": "The scale is changed while the axis moves.",
     "scale-after-speed": "The scale is set after speeds and rates and changes them.",
     "time-before-speed": "A ramp time is set before the speed it refers to.",
-    "short-name": "A statement counts with a keyword that stands there by its short name.",
+    "short-name": "A statement adds to a keyword that is written by its short name.",
     "short-ramp": "A ramp is shorter than one trajectory update.",
     "unused-setting": "A speed or a rate is set and never used.",
     "nothing-loaded": "A GO starts nothing, because no move is loaded.",

@@ -34,7 +34,7 @@ class _Row(NamedTuple):
 
     @property
     def key(self) -> Hashable:
-        """What the row is without lines and times."""
+        """The row without its lines and times."""
         return self.statement.lower(), self.until, self.then
 
 

@@ -70,13 +70,13 @@ def summary(found: WaysCompared) -> str:
     return f"{text}; not reached: {', '.join(missed)}" if missed else text
 
 
-def not_compared(found: WaysCompared) -> str:
-    """Return what was not compared since the budget had ended; "" if nothing was left."""
+def not_compared(found: WaysCompared, explored: str = "AB") -> str:
+    """Return what was not compared since the budget of an exploration had ended; "" if nothing was left."""
     parts = [count_of(len(found.left), "way")] if found.left else []
     parts += [
         f"what the exploration of {side} had not found when its budget ended"
         for side, one in (("A", found.a), ("B", found.b))
-        if not one.is_whole
+        if side in explored and not one.is_whole
     ]
     return ", ".join(parts)
 

@@ -1,4 +1,4 @@
-"""The final edits in all ways that the machine can go: a time-out, a reject, another key of a menu.
+"""The final edits, played in all ways that the machine can go: time-outs, rejects, other keys of a menu.
 
 A trial shows one way in each world. So the program is explored, and each of its ways is played with the edits, too.
 What the edits are for does not count: speeds, times, figures in prints, and where a motion is cut off. If the program
@@ -25,7 +25,7 @@ EXPLORED, PLAYED = 200_000, 400_000
 
 
 class PlayedWays(NamedTuple):
-    """What a program does otherwise with edits: a sentence of all ways, and those that refuse the edits, and others."""
+    """The differences that edits make: a sentence about all ways, those that refuse the edits, and the others."""
 
     summary: str
     refused: list[str]
@@ -50,7 +50,7 @@ def _without_times(act: ComparedAct) -> ComparedAct:
 def played_ways(
     program: Program, values: Mapping[str, float | str], settings: Mapping[str, object]
 ) -> PlayedWays:
-    """Return what a program, a debug build, does with other values in the ways that an exploration of it finds."""
+    """Play a program, a debug build, with other values in the ways that an exploration finds; return what differs."""
     own = without_world(settings)
     a = explore(program, own, work=EXPLORED)
     b = explore(program.with_values(values), {**a.switches.settings, **own}, work=1)
@@ -60,8 +60,7 @@ def played_ways(
     for each in (*found.differences, *found.behind):
         texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {difference_words(each)}")
     differ = f", {found.differ} differ" if found.differ else ": the same but for time"
-    found.b = a  # which ways the program has with the edits is not asked
-    left = not_compared(found)
+    left = not_compared(found, explored="A")
     summary = f"{count_of(found.played, 'way')} played with the edits, too{differ}"
     return PlayedWays(f"{summary}; not compared: {left}" if left else summary, texts[True], texts[False])
 

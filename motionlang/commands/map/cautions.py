@@ -1,8 +1,7 @@
-"""What to know before a program is changed: what stops a motion, outputs on in one, and waits without a time-out.
+"""Cautions before a program is changed: inputs that cut off moves, outputs that are on in a move, endless waits.
 
-Stops are those that the exploration has seen: a move was cut off when an input changed in the middle of it, and is
-otherwise not. Outputs are those of the run in the likeliest world. A wait has no time-out if nothing came by itself
-while it lasted.
+An input cuts off a move if the exploration has seen it: the input changed in the middle of the move. Outputs are those
+of the run in the likeliest world. A wait has no time-out if nothing came by itself while it lasted.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from dataclasses import dataclass
 from math import inf
 
 from motionlang.commands.map.names import ReaderNames
-from motionlang.exploration import Change, Exploration, Transition
+from motionlang.exploration import Exploration
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import ranges
@@ -24,7 +23,7 @@ SHORT = 1e-3
 
 @dataclass(eq=False, slots=True)
 class CautionRow:
-    """Something to know: its kind, the channel or the wait, and what it does, with lines in words."""
+    """A caution: its kind, the channel or "waits", and what it does, with its lines in words."""
 
     kind: str
     what: str
@@ -32,7 +31,7 @@ class CautionRow:
 
 
 def cautions(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[CautionRow]:
-    """Return what to know before a change."""
+    """Return the cautions of a machine."""
     rows = [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
     rows += [
         CautionRow("on in motion", names[f"output {channel}"], f"is on in moves of {_lines(at)}")
@@ -50,30 +49,14 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:
-    """Yield the changes that cut off moves or start a handler, each with the lines of these moves and the handler."""
+    """Yield the changes that cut off moves, each with the lines of these moves and the handler that it starts."""
     units = {
         f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
     }
-    transitions = [each for node in exploration.nodes for each in node.transitions]
-    usual = {line for each in transitions if not _in_move(each) for line in _cut_off(each)}
-    found: dict[Change, set[int]] = defaultdict(set)
-    for each in transitions:
-        for one in _in_move(each):
-            cut = set(_cut_off(each)) - usual
-            if cut:
-                found[Change(one.table, one.number, one.value)] |= cut
-    for one, cut in sorted(found.items(), key=lambda pair: (pair[0].table, pair[0].number, pair[0].value)):
+    cut_off = exploration.cut_off()
+    for one in sorted(cut_off, key=lambda each: (each.table, each.number, each.value)):
         unit = units.get(one.subject)
-        yield names.change(one), f"cuts off moves of {_lines(cut)}{f' by {unit}' if unit else ''}"
-
-
-def _in_move(transition: Transition) -> Iterable[Change]:
-    """Return the changes of a transition that come in the middle of a move."""
-    return [each for each in transition.causes if each.moment.line]
-
-
-def _cut_off(transition: Transition) -> Iterator[int]:
-    return (line for line, ended in transition.does.moves if ended)
+        yield names.change(one), f"cuts off moves of {_lines(cut_off[one])}{f' by {unit}' if unit else ''}"
 
 
 def _on_in_motion(run: Run, beside: Iterable[int]) -> dict[int, set[int]]:

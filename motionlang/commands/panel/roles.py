@@ -1,4 +1,4 @@
-"""What an exploration knows of the inputs of a program: switches and buttons, and inputs that would stop a move."""
+"""Roles of the inputs of a program by its exploration: switches, buttons, and inputs that would stop a move."""
 
 from __future__ import annotations
 
@@ -35,10 +35,7 @@ def roles_of(source: Source, settings: Mapping[str, object]) -> Roles:
     kinds = {number: "switch" for number, level in cycle.visit.levels.items() if level and number in read}
     kinds |= {each.number: "button" for each in changed if each.value or kinds.get(each.number)}
     stops: dict[int, set[int]] = defaultdict(set)
-    for node in found.nodes:
-        for one in node.transitions:
-            cut = {line for line, ended in one.does.moves if ended}
-            for each in one.causes:
-                if each.moment.line in cut or (each.moment.line and one.is_cut):
-                    stops[each.moment.line].add(each.number)
+    for change, lines in found.cut_off().items():
+        for line in lines:
+            stops[line].add(change.number)
     return Roles(kinds, {line: sorted(numbers) for line, numbers in stops.items()})

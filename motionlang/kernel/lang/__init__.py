@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.foreign import one_sentence as one_sentence
     from motionlang.kernel.lang.keyword import BANK as BANK
     from motionlang.kernel.lang.keyword import CHANNELS as CHANNELS
+    from motionlang.kernel.lang.keyword import HOST_CHANNELS as HOST_CHANNELS
     from motionlang.kernel.lang.keyword import TOPICS as TOPICS
     from motionlang.kernel.lang.literals import Literal as Literal
     from motionlang.kernel.lang.literals import canonical as canonical
@@ -110,7 +111,7 @@ PUBLIC = {
     "wait_hints": "what_ends what_frees",
     "run_errors": "explain",
     "foreign": "one_sentence AT_PROMPT IN_EDITOR",
-    "keyword": "BANK CHANNELS TOPICS",
+    "keyword": "BANK CHANNELS HOST_CHANNELS TOPICS",
     "machine.keys": "DRIVES KEYS TABLES CHOICES REQUIRED MAX_AXES",
     "machine.machine": "ASSUMPTIONS CONSOLE",
 }

@@ -21,6 +21,10 @@ CHANNELS = (
     "analogue output", "auxiliary analogue output", "encoder", "comms element", "network data", "dual-port RAM",
     "Modbus coil", "Modbus register", "remote node", "serial port", "nv word", "key", "answer",
 )  # fmt: skip
+# The devices in which a host and a program leave numbers for each other.
+HOST_CHANNELS = frozenset(
+    ("comms element", "network data", "dual-port RAM", "Modbus coil", "Modbus register")
+)
 # The device, by the section of the machine file that drives a reading, or else by the last word of `index`.
 _DRIVEN = {"analogue": "analogue input", "encoder": "encoder", "netdata": "network data", "dpr": "dual-port RAM",
            "serial": "serial port", "key": "key"}  # fmt: skip

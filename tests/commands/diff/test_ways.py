@@ -104,8 +104,6 @@ def test_the_page_marks_what_only_one_program_does(cell: Cell) -> None:
     assert cell("diff", "old.prg", "new.prg", "--explore", "--plot", "both.html").status == 1
     page = (cell.folder / "both.html").read_text(encoding="utf-8")
     a, b = page.split("<h2>A: old.prg</h2>")[1].split("<h2>B: new.prg</h2>")
-    for side, output, letter in ((a, 1, "A"), (b, 2, "B")):
-        assert f"<td>output {output} on</td><td>5</td><td class=only>only in {letter}</td>" in side.replace(
-            "<td>6</td>", "<td>5</td>"
-        )
+    for side, output, line, letter in ((a, 1, 5, "A"), (b, 2, 6, "B")):
+        assert f"<td>output {output} on</td><td>{line}</td><td class=only>only in {letter}</td>" in side
         assert "<td>input 0 (part) off</td>" in side

@@ -1,4 +1,4 @@
-"""A program counts with a keyword by its short name, which it takes for a variable: `TM = TM + 1` is TERMINAL."""
+"""A program uses the short name of a keyword as a variable: `TM = TM + 1` changes TERMINAL."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ RULE = Rule(
     code="short-name",
     group="Names",
     text="""\
-A statement adds to a keyword that stands there by its short name. It was probably meant as a variable: `TM = TM + 1`
-counts the terminals on which PRINT shows its texts.
+A statement adds to a keyword that is written by its short name and was probably meant as a variable: `TM = TM + 1`
+changes TERMINAL, the terminals to which PRINT writes.
 """,
     fix="give the variable another name",
     mint=RuleCase(

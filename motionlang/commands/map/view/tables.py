@@ -9,12 +9,10 @@ from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
 from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour, StateRow, TransitionRow, UnreachedRow
 from motionlang.commands.map.channels import DEVICES, Channel, polled
 from motionlang.commands.map.program_map import ProgramMap
-from motionlang.kernel.lang import KINDS, READ, Statement, Unit
+from motionlang.kernel.lang import HOST_CHANNELS, KINDS, READ, Statement, Unit
 from motionlang.kernel.tools import ranges
 from motionlang.views.table import Column, Table
 
-# The kinds of channels in which a host and a program leave numbers for each other.
-HOST = frozenset(("comms element", "network data", "dual-port RAM", "Modbus coil", "Modbus register"))
 # More states than this that write or read a number of a host are only counted in a text.
 MAX_STATES = 2
 
@@ -198,7 +196,7 @@ def handlers(behaviour: MachineBehaviour) -> Table:
 
 def host_numbers(made: ProgramMap, behaviour: MachineBehaviour) -> Table:
     """Return the table of the numbers that a host and the program leave for each other."""
-    known = [each for each in made.channels if each.kind in HOST]
+    known = [each for each in made.channels if each.kind in HOST_CHANNELS]
     rows = [
         HostRow(each, _states_of(behaviour, each.writes), _states_of(behaviour, [*each.reads, *each.waits]))
         for each in known
