@@ -1,35 +1,75 @@
 """The operations of a controller: all that a language may say to its axes, in counts and seconds.
 
 Each finds the axis by its number and calls one function with it: `go` starts moves (`queue/life.py`), `stop` cuts them
-(`queue/stop.py`), `load_line` loads a path (`moves/path.py`). A rejected command raises Rejected. What can be read is
-in `Readings`.
+(`queue/stop.py`), `load_line` loads a path (`moves/path.py`). If that is all, `on_axis` and its like make the operation
+of the function, whose parameters and docstring it has. A rejected command raises Rejected. What can be read is in
+`Readings`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import wraps
+from typing import Concatenate, ParamSpec, TypeVar
 
 from motionlang.kernel.controller import power, readers, settings
-from motionlang.kernel.controller.axis import BY_WORD, Axis
-from motionlang.kernel.controller.clock import INFINITY, Clock
+from motionlang.kernel.controller import watch as watches
+from motionlang.kernel.controller.axis import Axis
+from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.motion import encoder as encoders
-from motionlang.kernel.controller.motion import follow, jog, profile_playback, reference, sampled_velocity
+from motionlang.kernel.controller.motion import follow, profile_playback, reference, sampled_velocity
+from motionlang.kernel.controller.motion import jog as jogging
 from motionlang.kernel.controller.moves import cam, entries, path
-from motionlang.kernel.controller.moves.geometry import Arc, StraightLine
-from motionlang.kernel.controller.moves.path_policy import PathPolicy
-from motionlang.kernel.controller.queue import buffer, life, stop
+from motionlang.kernel.controller.queue import buffer, life
+from motionlang.kernel.controller.queue import stop as stopping
+from motionlang.kernel.controller.queue import track as tracks
 from motionlang.kernel.controller.queue.action import put_action
 from motionlang.kernel.controller.queue.dwell import Dwell, Outputs, Pulse
-from motionlang.kernel.controller.queue.track import define_position, log_dropped
 from motionlang.kernel.controller.readers import NO_SUBSCRIBER, Reader, Subscriber, Writer
 from motionlang.kernel.controller.readings import Readings
+from motionlang.kernel.controller.state import ControllerState
 from motionlang.kernel.controller.triggers.limit import Limit
-from motionlang.kernel.controller.watch import Watch, begin, end
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.move import LoggedMove
-from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.reference import Slope
+
+P = ParamSpec("P")
+R = TypeVar("R")
+Operation = Callable[Concatenate[ControllerState, int, P], R]
+
+
+def on_axis(function: Callable[Concatenate[Axis, P], R]) -> Operation[P, R]:
+    """Make the operation that calls `function` with the axis of a number."""
+
+    @wraps(function)
+    def operation(self: ControllerState, axis: int, /, *values: P.args, **named: P.kwargs) -> R:
+        return function(self.axes[axis], *values, **named)
+
+    return operation
+
+
+def on_movable(function: Callable[Concatenate[Axis, P], R]) -> Operation[P, R]:
+    """Make the operation that calls `function` with an axis that is free to get a motion."""
+
+    @wraps(function)
+    def operation(self: ControllerState, axis: int, /, *values: P.args, **named: P.kwargs) -> R:
+        a = self.axes[axis]
+        life.permit_motion(a)
+        return function(a, *values, **named)
+
+    return operation
+
+
+def on_axes(
+    function: Callable[Concatenate[Sequence[Axis], P], R],
+) -> Callable[Concatenate[ControllerState, Sequence[int], P], R]:
+    """Make the operation that calls `function` with the axes of several numbers; the first is the master."""
+
+    @wraps(function)
+    def operation(self: ControllerState, axes: Sequence[int], /, *values: P.args, **named: P.kwargs) -> R:
+        return function([self.axes[axis] for axis in axes], *values, **named)
+
+    return operation
 
 
 class Controller(Readings):
@@ -46,22 +86,11 @@ class Controller(Readings):
         life.permit_motion(a)
         return a
 
-    def require_idle(self, axis: int, command: str) -> None:
-        """Raise Rejected for a command that needs the axis idle while it has a motion."""
-        life.require_idle(self.axes[axis], command)
-
-    def _all(self, axes: Iterable[int]) -> list[Axis]:
-        return [self.axes[axis] for axis in axes]
-
     # ------------------------------------------------------------------------------------------- settings
 
-    def configure(self, axis: int, name: str, value: object) -> None:
-        """Set one of `SETTINGS`; a rate replaces its ramp time, and vice versa."""
-        settings.configure(self.axes[axis], name, value)
-
-    def restore(self, axis: int) -> None:
-        """Reset all `SETTINGS` of an axis at rest to their values at power-up."""
-        settings.restore(self.axes[axis])
+    require_idle = on_axis(life.require_idle)
+    configure = on_axis(settings.configure)
+    restore = on_axis(settings.restore)
 
     def reader(self, name: str, axis: int, unit: str = "", subscriber: Subscriber = NO_SUBSCRIBER) -> Reader:
         """Return a reader of a setting or of an operation of an axis, for repeated use.
@@ -95,39 +124,19 @@ class Controller(Readings):
         """Set the unit of time, as a number of seconds."""
         self.axes[axis].scale.set_rate(seconds)
 
-    def define_position(self, axis: int, position: float) -> None:
-        """Give the present position a new value; the rest of a move shifts with it."""
-        define_position(self.axes[axis], position)
+    define_position = on_axis(tracks.define_position)
 
     # ---------------------------------------------------------------------------------------- on and off
 
-    def enable(self, axis: int) -> None:
-        """Enable an axis where it is.
-
-        Target, commanded and actual position become equal; faults are cleared.
-        """
-        power.enable(self.axes[axis])
-
-    def disable(self, axis: int) -> None:
-        """Disable an axis.
-
-        Its commanded position stays, and so does the axis itself unless a simulated motor coasts.
-        """
-        power.disable(self.axes[axis])
+    enable = on_axis(power.enable)
+    disable = on_axis(power.disable)
 
     def set_brake(self, axis: int, on: bool) -> None:
         """Apply or release the brake of an axis without informing its drive."""
         self.axes[axis].is_braked = on
 
-    def fault(self, axis: int, bit: int, action: str) -> None:
-        """Raise a fault on an axis and take `action` (one of `conditions.ACTIONS`).
-
-        The action is taken each time; a fault that is still pending does not count as a new error.
-        """
-        power.fault(self.axes[axis], bit, action)
-
-    def clear_faults(self, axis: int) -> None:
-        power.clear_faults(self.axes[axis])
+    fault = on_axis(power.fault)
+    clear_faults = on_axis(power.clear_faults)
 
     def lock(self, axis: int, faults: int) -> None:
         """Set the faults that prevent motion of an axis."""
@@ -155,15 +164,15 @@ class Controller(Readings):
             if limit.bit == bit:
                 limit.action = action
 
-    def watch(self, axis: int, position: float, call: Callable[[int], None], physical: bool = False) -> Watch:
+    def watch(
+        self, axis: int, position: float, call: Callable[[int], None], physical: bool = False
+    ) -> watches.Watch:
         """Call `call(direction)` whenever the axis passes `position`, until `unwatch`."""
-        made = Watch(position, call, physical)
-        begin(self.axes[axis], made)
+        made = watches.Watch(position, call, physical)
+        watches.begin(self.axes[axis], made)
         return made
 
-    def unwatch(self, axis: int, watch: Watch) -> None:
-        """End a watch."""
-        end(self.axes[axis], watch)
+    unwatch = on_axis(watches.end)
 
     # --------------------------------------------------------------------------------------------- loading
 
@@ -192,41 +201,10 @@ class Controller(Readings):
         """Load a pulse of an output for `duration` seconds; later entries do not wait."""
         put_action(self._movable(axis), Pulse(channel, duration), command, line)
 
-    def load_line(
-        self, axes: Sequence[int], targets: Sequence[float], command: str = "", line: int = 0
-    ) -> None:
-        """Load a straight line of several axes to `targets`; the first axis is the master."""
-        path.load_line(self._all(axes), targets, command, line)
-
-    def load_line_by(
-        self, axes: Sequence[int], distances: Sequence[float], command: str = "", line: int = 0
-    ) -> None:
-        """Load a straight line of several axes by `distances`."""
-        path.load_line_by(self._all(axes), distances, command, line)
-
-    def load_arc(
-        self,
-        axes: Sequence[int],
-        centre: Sequence[float],
-        angle: float,
-        rest: Sequence[float] = (),
-        relative: bool = False,
-        command: str = "",
-        line: int = 0,
-    ) -> None:
-        """Load an arc by `angle` degrees, or a helix if further axes move to `rest`."""
-        path.load_arc(self._all(axes), centre, angle, rest, relative, command, line)
-
-    def load_guided(
-        self,
-        axes: Sequence[int],
-        geometry: StraightLine | Arc,
-        policy: PathPolicy,
-        command: str = "",
-        line: int = 0,
-    ) -> None:
-        """Load a path whose speed, rates and joins are set by its policy."""
-        path.load_guided(self._all(axes), geometry, policy, command, line)
+    load_line = on_axes(path.load_line)
+    load_line_by = on_axes(path.load_line_by)
+    load_arc = on_axes(path.load_arc)
+    load_guided = on_axes(path.load_guided)
 
     def load_fly(
         self,
@@ -256,38 +234,15 @@ class Controller(Readings):
         a = self._movable(axis)
         entries.load_cam(a, self._master(master, encoder), table, cyclic, first, command, line)
 
-    def load_offset(
-        self,
-        axis: int,
-        distance: float,
-        mode: int = 0,
-        over: float = 0.0,
-        command: str = "",
-        line: int = 0,
-    ) -> None:
-        """Load an offset to be superposed on following; GO starts it during following."""
-        entries.load_offset(self._movable(axis), distance, mode, over, command, line)
-
-    def load_points(
-        self,
-        axis: int,
-        make: entries.Make,
-        again: entries.Make | None = None,
-        command: str = "",
-        line: int = 0,
-    ) -> None:
-        """Load timed points, which `make` returns for the axis's position at their start.
-
-        `again` returns further points each time, endlessly.
-        """
-        entries.load_points(self._movable(axis), make, again, command, line)
+    load_offset = on_movable(entries.load_offset)
+    load_points = on_movable(entries.load_points)
 
     def drop(self, axes: Iterable[int], command: str, line: int, ended: str) -> None:
         """Log a motion that a language had deferred and will not execute."""
-        for a in self._all(axes):
+        for a in [self.axes[axis] for axis in axes]:
             move = LoggedMove(a.index, command, line, a.target)
             move.ended = ended
-            log_dropped(a, move)
+            tracks.log_dropped(a, move)
 
     # ---------------------------------------------------------------------------------------------- moving
 
@@ -299,56 +254,17 @@ class Controller(Readings):
         for a in [self._movable(axis) for axis in axes]:
             life.go(a)
 
-    def move_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Move to `position` now, from any state of motion."""
-        life.move_to(self._movable(axis), position, command, line)
-
-    def move_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
-        """Move by `distance` now, from the present target, if any, or from the position."""
-        life.move_by(self._movable(axis), distance, command, line)
-
-    def retarget_to(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Change the end of the move in progress to `position`.
-
-        An axis at rest starts at once. Loaded moves keep their ends.
-        """
-        stop.retarget(self._movable(axis), position, command, line)
+    move_to = on_movable(life.move_to)
+    move_by = on_movable(life.move_by)
+    retarget_to = on_movable(stopping.retarget)
 
     def retarget_by(self, axis: int, distance: float, command: str = "", line: int = 0) -> None:
         """Shift the end of the move in progress by `distance`; at rest start a move."""
         a = self._movable(axis)
-        stop.retarget(a, a.target + distance, command, line)
+        stopping.retarget(a, a.target + distance, command, line)
 
-    def jog(
-        self,
-        axis: int,
-        velocity: float,
-        command: str = "",
-        line: int = 0,
-        rates: jog.Rates | None = None,
-        ends: bool = False,
-    ) -> None:
-        """Ramp to `velocity`, counts/s, and keep it.
-
-        With `ends`, a jog to velocity 0 is over when the axis is at rest.
-        """
-        jog.jog(self._movable(axis), velocity, command, line, rates, ends)
-
-    def play(
-        self,
-        axis: int,
-        profile: Profile,
-        command: str = "",
-        line: int = 0,
-        on_path: bool = False,
-        step: float = 0.0,
-    ) -> None:
-        """Play a profile that begins at the axis's position.
-
-        With `on_path`, a stop comes to rest on the profile. `step` is the velocity, counts/s, at which a stepper
-        starts and stops abruptly; above it the rates of the axis apply.
-        """
-        profile_playback.play(self._movable(axis), profile, command, line, on_path, step)
+    jog = on_movable(jogging.jog)
+    play = on_movable(profile_playback.play)
 
     def replan_path(self, axis: int) -> None:
         """Replan the present path of the axis with the present pace of its policy."""
@@ -362,31 +278,9 @@ class Controller(Readings):
         if run is not None:
             run.blend()
 
-    def refer_speed(
-        self,
-        axis: int,
-        velocity: float,
-        slopes: tuple[Slope, Slope],
-        error_rate: float = 0.0,
-        command: str = "",
-        line: int = 0,
-        most: float = INFINITY,
-    ) -> None:
-        """Ramp to a speed reference, counts/s, at most `most`, with `slopes` for speeding up and down.
-
-        An error brakes the axis at `error_rate`.
-        """
-        reference.refer_speed(self._movable(axis), velocity, slopes, error_rate, command, line, most)
-
-    def refer_position(self, axis: int, position: float, command: str = "", line: int = 0) -> None:
-        """Follow a position reference, reached within one period of the profiler."""
-        reference.refer_position(self._movable(axis), position, command, line)
-
-    def track(
-        self, axis: int, decide: Callable[[], tuple[float, bool]], command: str = "", line: int = 0
-    ) -> sampled_velocity.SampledVelocity:
-        """Let a function set the velocity of an axis, counts/s, at every profiler tick."""
-        return sampled_velocity.track(self._movable(axis), decide, command, line)
+    refer_speed = on_movable(reference.refer_speed)
+    refer_position = on_movable(reference.refer_position)
+    track = on_movable(sampled_velocity.track)
 
     def gear(
         self,
@@ -404,13 +298,8 @@ class Controller(Readings):
         """
         follow.gear(self._movable(axis), self._master(master, encoder), ratio, ramp, command, line)
 
-    def set_ratio(self, axis: int, ratio: float) -> None:
-        """Change the ratio of an axis that follows a master; a no-op for any other axis."""
-        follow.set_ratio(self.axes[axis], ratio)
-
-    def leave_master(self, axis: int) -> None:
-        """Stop following a master; the present profile continues to its end."""
-        follow.leave_master(self.axes[axis])
+    set_ratio = on_axis(follow.set_ratio)
+    leave_master = on_axis(follow.leave_master)
 
     def _master(self, number: int, encoder: bool) -> Axis:
         if encoder:
@@ -421,28 +310,11 @@ class Controller(Readings):
 
     # -------------------------------------------------------------------------------------------- stopping
 
-    def stop(self, axis: int, ended: str = "stop", hard: bool = False) -> None:
-        """Decelerate to rest at the set rate and empty the move buffer.
-
-        A `hard` stop uses `error_decel`.
-        """
-        stop.stop(self.axes[axis], ended, hard)
-
-    def come_to_rest(self, axis: int, ended: str = "") -> None:
-        """Decelerate to rest at the set rate; the move buffer stays and runs next."""
-        stop.come_to_rest(self.axes[axis], ended)
-
-    def abort(self, axis: int, ended: str = "cancel") -> None:
-        """Halt at once, without a ramp, and empty the move buffer."""
-        stop.abort(self.axes[axis], ended)
-
-    def suspend(self, axis: int, reason: int = BY_WORD) -> None:
-        """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
-        stop.suspend(self.axes[axis], reason)
-
-    def resume(self, axis: int, reason: int = BY_WORD) -> None:
-        """Remove a reason for suspension; continue if none remains."""
-        stop.resume(self.axes[axis], reason)
+    stop = on_axis(stopping.stop)
+    come_to_rest = on_axis(stopping.come_to_rest)
+    abort = on_axis(stopping.abort)
+    suspend = on_axis(stopping.suspend)
+    resume = on_axis(stopping.resume)
 
     # -------------------------------------------------------------------------------------------- channels
 
@@ -514,7 +386,7 @@ class Controller(Readings):
             )
         if a.feedback.closed:
             life.permit_motion(a)
-        stop.freeze(a, "cancel")
+        stopping.freeze(a, "cancel")
         a.feedback.open(volts)
 
     def close_loop(self, axis: int) -> None:

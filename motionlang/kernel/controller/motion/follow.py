@@ -483,7 +483,7 @@ def begin_gear(a: Axis, master: Axis, ratio: float, ramp: bool, command: str, li
 
 
 def set_ratio(a: Axis, ratio: float) -> None:
-    """Change the ratio of an axis that follows a master, at once."""
+    """Change the ratio of an axis that follows a master; a no-op for any other axis."""
     tie = tie_of(a)
     if isinstance(tie, Gear):
         _check_ratio(ratio)
@@ -497,7 +497,7 @@ def _check_ratio(ratio: float) -> None:
 
 
 def leave_master(a: Axis) -> None:
-    """Stop following; the present profile continues to its end.
+    """Stop following a master; the present profile continues to its end.
 
     An axis at rest becomes idle.
     """

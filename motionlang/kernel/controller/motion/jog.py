@@ -91,14 +91,19 @@ class Jog(Action):
 
 
 def jog(
-    a: Axis, velocity: float, command: str, line: int, own: Rates | None = None, ends: bool = False
+    a: Axis,
+    velocity: float,
+    command: str = "",
+    line: int = 0,
+    rates: Rates | None = None,
+    ends: bool = False,
 ) -> None:
-    """Ramp to a velocity and keep it, at the rates `own` or those of the axis.
+    """Ramp to `velocity`, counts/s, and keep it, at `rates` or those of the axis.
 
     With `ends`, a jog to velocity 0 is over when the axis is at rest. Repeating the command, as the loop of a jog panel
     does, changes neither profile nor log.
     """
-    begin_jog(a, velocity, command, line, own, ends)
+    begin_jog(a, velocity, command, line, rates, ends)
     a.controller.motion_listener.jogs(a, velocity)
 
 

@@ -227,7 +227,12 @@ def _to_the_end(path: Profile, pace: Profile) -> Profile:
 
 
 def play(
-    a: Axis, profile: Profile, command: str, line: int, on_path: bool = False, step: float = 0.0
+    a: Axis,
+    profile: Profile,
+    command: str = "",
+    line: int = 0,
+    on_path: bool = False,
+    step: float = 0.0,
 ) -> None:
     """Play a profile that begins at the axis's position.
 

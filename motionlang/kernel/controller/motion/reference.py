@@ -101,12 +101,15 @@ def refer_speed(
     a: Axis,
     velocity: float,
     slopes: Slopes,
-    error_rate: float,
-    command: str,
-    line: int,
-    most: float,
+    error_rate: float = 0.0,
+    command: str = "",
+    line: int = 0,
+    most: float = INFINITY,
 ) -> None:
-    """Ramp an axis to a velocity, at most `most`; writing the current one is a no-op."""
+    """Ramp to a speed reference, counts/s, at most `most`, with `slopes` for speeding up and down.
+
+    An error brakes the axis at `error_rate`. Writing the current velocity is a no-op.
+    """
     action = a.move.action if a.move is not None and a.move.command == command else None
     if isinstance(action, SpeedReference):
         action.error_rate = error_rate
@@ -148,8 +151,8 @@ class PositionReference(Reference):
         self.position += shift
 
 
-def refer_position(a: Axis, position: float, command: str, line: int) -> None:
-    """Move an axis to a position within a period; a no-op if it is there already."""
+def refer_position(a: Axis, position: float, command: str = "", line: int = 0) -> None:
+    """Follow a position reference, reached within a period of the profiler; a no-op if it is there already."""
     if not abs(position) < INFINITY:
         raise Rejected("range", f"axis {a.index} cannot go to {position:.10g}")
     action = a.move.action if a.move is not None else None

@@ -93,8 +93,10 @@ class SampledVelocity(Reference):
         return wanted if abs(change) <= most else velocity + (most if change > 0.0 else -most)
 
 
-def track(a: Axis, decide: Callable[[], tuple[float, bool]], command: str, line: int) -> SampledVelocity:
-    """Let the function `decide` move an axis at standstill, from the next tick on."""
+def track(
+    a: Axis, decide: Callable[[], tuple[float, bool]], command: str = "", line: int = 0
+) -> SampledVelocity:
+    """Let a function set the velocity of an axis, counts/s, at every profiler tick."""
     require_idle(a, command)
     rates(a, a.speed)
     move = FollowMove(a.index, command, line, "track")

@@ -150,8 +150,13 @@ class OffsetEntry(Action):
         start_move(a, move)
 
 
-def load_offset(a: Axis, distance: float, mode: int, over: float, command: str, line: int) -> None:
-    """Load an offset, in one of the modes of OFFSETMODE."""
+def load_offset(
+    a: Axis, distance: float, mode: int = 0, over: float = 0.0, command: str = "", line: int = 0
+) -> None:
+    """Load an offset to be superposed on following; GO starts it during following.
+
+    `mode` is one of the modes of OFFSETMODE.
+    """
     move = buffer.counted(a, distance, command, line)
     move.action = OffsetEntry(distance, mode, over)
     buffer.put(a, move)
@@ -202,8 +207,11 @@ def through(a: Axis, points: Timed) -> Profile:
         raise Rejected("range", f"axis {a.index} cannot follow the spline: {problem}") from None
 
 
-def load_points(a: Axis, make: Make, again: Make | None, command: str, line: int) -> None:
-    """Load timed points; `make` is called with the position at which they begin."""
+def load_points(a: Axis, make: Make, again: Make | None = None, command: str = "", line: int = 0) -> None:
+    """Load timed points, which `make` returns for the axis's position at their start.
+
+    `again` returns further points each time, endlessly.
+    """
     start = _start(a)
     move = LoggedMove(a.index, command, line, through(a, make(start)).end)
     move.base = start

@@ -215,13 +215,13 @@ class PathMove(Action):
         raise AssertionError("a path is planned by its run")
 
 
-def load_line(axes: Sequence[Axis], targets: Sequence[float], command: str, line: int) -> None:
-    """Load a straight line to `targets`, counts, into the buffers of its axes."""
+def load_line(axes: Sequence[Axis], targets: Sequence[float], command: str = "", line: int = 0) -> None:
+    """Load a straight line of several axes to `targets`; the first axis is the master."""
     _permit(axes)
     _put(axes, StraightLine(list(targets)), list(targets), command, line)
 
 
-def load_line_by(axes: Sequence[Axis], distances: Sequence[float], command: str, line: int) -> None:
+def load_line_by(axes: Sequence[Axis], distances: Sequence[float], command: str = "", line: int = 0) -> None:
     """Load a straight line by `distances` from the ends of the moves before it."""
     _permit(axes)
     starts = _starts(axes)
@@ -233,12 +233,12 @@ def load_arc(
     axes: Sequence[Axis],
     centre: Sequence[float],
     angle: float,
-    rest: Sequence[float],
-    relative: bool,
-    command: str,
-    line: int,
+    rest: Sequence[float] = (),
+    relative: bool = False,
+    command: str = "",
+    line: int = 0,
 ) -> None:
-    """Load an arc or a helix into the buffers of its axes.
+    """Load an arc by `angle` degrees, or a helix if further axes move to `rest`.
 
     If it is `relative`, centre and rest count from its start.
     """
@@ -253,9 +253,13 @@ def load_arc(
 
 
 def load_guided(
-    axes: Sequence[Axis], geometry: StraightLine | Arc, policy: PathPolicy, command: str, line: int
+    axes: Sequence[Axis],
+    geometry: StraightLine | Arc,
+    policy: PathPolicy,
+    command: str = "",
+    line: int = 0,
 ) -> None:
-    """Load a path with a policy into the buffers of its axes; geometry in counts."""
+    """Load a path whose speed, rates and joins are set by its policy; geometry in counts."""
     for a in axes:
         permit_motion(a)
     ends = geometry.ends(_starts(axes), policy.scales)

@@ -33,7 +33,7 @@ def go(a: Axis) -> None:
         a.move.action.more(a)
 
 
-def move_to(a: Axis, position: float, command: str, line: int) -> None:
+def move_to(a: Axis, position: float, command: str = "", line: int = 0) -> None:
     """Move to `position` now, from any state of motion."""
     move = buffer.stamped(a, LoggedMove(a.index, command, line, position))
     move.released = True
@@ -42,7 +42,7 @@ def move_to(a: Axis, position: float, command: str, line: int) -> None:
     run_profile(a, move, profile)
 
 
-def move_by(a: Axis, distance: float, command: str, line: int) -> None:
+def move_by(a: Axis, distance: float, command: str = "", line: int = 0) -> None:
     """Move by `distance` now, from the present target, if any, or from the position."""
     base = a.target if abs(a.target) < INFINITY else a.position(a.clock.now)
     move_to(a, base + distance, command, line)

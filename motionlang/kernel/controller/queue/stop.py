@@ -147,7 +147,7 @@ def freeze(a: Axis, ended: str) -> None:
     a.controller.notify("idle", a.index)
 
 
-def suspend(a: Axis, reason: int) -> None:
+def suspend(a: Axis, reason: int = BY_WORD) -> None:
     """Ramp to rest and keep the moves until every reason has been removed by `resume`."""
     _suspend(a, reason)
     a.controller.motion_listener.heed(a)
@@ -180,7 +180,7 @@ def _suspend(a: Axis, reason: int) -> None:
         replan_move(a)
 
 
-def resume(a: Axis, reason: int) -> None:
+def resume(a: Axis, reason: int = BY_WORD) -> None:
     """Remove a reason for suspension; continue if none remains."""
     _resume(a, reason)
     if not a.suspended and a.move is None and a.buffer:
@@ -225,10 +225,10 @@ def _sharing(a: Axis) -> tuple[Axis, ...]:
     return (a,) if a.move is None or a.move.action is None else a.move.action.together_with(a)
 
 
-def retarget(a: Axis, position: float, command: str, line: int) -> None:
-    """Change the end of the move in progress to `position`; at rest start a new move.
+def retarget(a: Axis, position: float, command: str = "", line: int = 0) -> None:
+    """Change the end of the move in progress to `position`.
 
-    Loaded moves keep their ends.
+    An axis at rest starts at once. Loaded moves keep their ends.
     """
     before = a.target
     _give_end(a, position, command, line)

@@ -125,7 +125,7 @@ STOPS: dict[str, tuple[Callable[[Controller], None], float, str]] = {
     "stop of the other axis": (lambda c: c.stop(1), RATE, "stop"),
     "stop input": (lambda c: c.fault(0, 1, "stop"), RATE, "fault"),
     "error stop": (lambda c: c.fault(1, 1, "error-stop"), ERROR_RATE, "fault"),
-    "stop, then error stop": (lambda c: (c.stop(0), c.fault(0, 1, "error-stop")), ERROR_RATE, "fault"),  # type: ignore[func-returns-value,dict-item]
+    "stop, then error stop": (lambda c: (c.stop(0), c.fault(0, 1, "error-stop")), ERROR_RATE, "fault"),  # type: ignore[dict-item]
 }
 
 
