@@ -25,7 +25,7 @@ MOVE, OUTPUT = 3.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
 # Work without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
 JOGGING = 5.0
-# A cycle that says something, and nothing of what is wrong, makes a piece.
+# A cycle that says something, and nothing of what is wrong, makes a piece; the more of it is wrong, the less it counts.
 SAID, WRONG = 2.0, 20.0
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
 # time, s.
@@ -150,11 +150,15 @@ def _runs(
 
 
 def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
-    """Yield work without a rest; of the same lines the fastest, since time-outs and rejects take longer."""
+    """Yield work without a rest; of the same lines what says less of what is wrong, and is faster than time-outs."""
+
+    def faults(work: Work) -> tuple[bool, int]:
+        return bool(work.said) and all(wrong([each]) for each in work.said), wrong(work.said)
+
     fastest: dict[frozenset[int], Work] = {}
     for work in works:
         other = fastest.setdefault(work.lines, work)
-        if (wrong(work.said), work.period) < (wrong(other.said), FASTER * other.period):
+        if (faults(work), work.period) < (faults(other), FASTER * other.period):
             fastest[work.lines] = work
     for work in fastest.values():
         value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
@@ -194,5 +198,5 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         )
         value -= STATE * (not answers)
     said = [act.words for each in transitions for act in each.acts if not act.subject]
-    value -= WRONG if wrong(said) else -SAID * bool(said)
+    value -= WRONG * (1.0 + wrong(said) / len(said)) if wrong(said) else -SAID * bool(said)
     return value + STATE - SWITCHED * len(outputs)

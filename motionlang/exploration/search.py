@@ -216,7 +216,8 @@ class Explorer:
         # An input that comes and goes passes the rests on its way.
         pulses = [each.levels(trial.since)[-1][0] for each in causes if each.moment.every]
         found = [rest for rest in self.rests(trial) if rest.end > max(pulses, default=-inf)]
-        if trial.status == "until" and not any(rest.end == inf for rest in found):
+        works_on = trial.status == "until" and not any(rest.end == inf for rest in found)
+        if works_on:
             self._note_work(trial)
         for rest in found:
             if source.state == rest.state and not _moves_between(trial, since, rest):
@@ -238,6 +239,8 @@ class Explorer:
             source, back, how, since = reached, way, (), rest.end if rest.end < inf else trial.time
         if trial.has_ended:
             news |= self._link(source, back, how, None, trial, since, trial.time, known, is_over)
+        elif works_on:
+            self._ask_in_moves(source, back, how, trial, since, trial.time)
         return news, first
 
     def _arrival(self, trial: Trial, rest: Rest) -> float:
@@ -343,11 +346,7 @@ class Explorer:
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
         fails = any(each.ended == "fault" for each in part.moves)
-        possible = questions.changes_in_moves(self, trial, since, until, causes)
-        for is_new in (True, False):
-            some = [each for each in possible if (each.key not in self.changed_in) is is_new]
-            changes = questions.in_moves(self, source, visit, causes, some)
-            source.left += [Departure(visit, changes, 1 if is_new else LATE)] if some else []
+        self._ask_in_moves(source, visit, causes, trial, since, until)
         source.transitions.append(
             Transition(
                 source.state,
@@ -372,6 +371,16 @@ class Explorer:
             )
         )
         return True
+
+    def _ask_in_moves(
+        self, source: StateNode, visit: Visit, causes: Causes, trial: Trial, since: float, until: float
+    ) -> None:
+        """Ask for changes in the moves between two times, early where no state has asked before."""
+        possible = questions.changes_in_moves(self, trial, since, until, causes)
+        for is_new in (True, False):
+            some = [each for each in possible if (each.key not in self.changed_in) is is_new]
+            changes = questions.in_moves(self, source, visit, causes, some)
+            source.left += [Departure(visit, changes, 1 if is_new else LATE)] if some else []
 
     def _handled(self, trial: Trial, since: float, until: float) -> list[float]:
         """Return when statements of handlers began that command anything, between two times."""

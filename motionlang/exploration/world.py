@@ -1,8 +1,8 @@
 """The world around a cycle: the cycle is played, and each input is then described by the simplest rule that keeps it.
 
     on from the start          where it makes no difference, also if the cycle does not need it
-    on from a time             a change that is made once
     follows a position         it changes in the middle of moves: where the axis passes again, or at steps along its way
+    on from a time             a change that is made once
     follows an output          each of its changes comes after one of the output; inverted, too
     when asked                 a person, a host or an unknown sensor answers as soon as the program asks
     on and off all the time    the program waits for the level that it needs
@@ -124,7 +124,7 @@ def _goes_on(found: FoundWorld) -> bool:
 def _with_more_on(
     explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
 ) -> tuple[int, MachineCycle, Trial]:
-    """Play a cycle with the inputs on from the start that only come on once, if it runs as often then.
+    """Play a cycle with the inputs on from the start that only come on once, if it runs as often and as well then.
 
     What they would have ended, such as an alarm, does not happen at all then.
     """
@@ -138,7 +138,8 @@ def _with_more_on(
     later = [each for each in later if each.number not in explorer.triggers]
     if cycle.repeats and later:
         other = played(explorer, cycle, tuple(later))
-        if _count(cycle, other) >= count:
+        faults, before = (wrong(one.text for one in each.prints) for each in (other, trial))
+        if _count(cycle, other) >= count and faults <= before:
             return _count(cycle, other), cycle, other
     return count, cycle, trial
 
@@ -608,10 +609,10 @@ def _rules(
     """Yield the rules that may explain the changes of an input, the simplest first; outputs that blink are last."""
     if changes[0][1]:
         yield {"channel": number, "at": 0.0}
-        if len(changes) == 1:
-            yield {"channel": number, "at": round(changes[0][0], 1)}
     if along is not None:
         yield along
+    if len(changes) == 1 and changes[0][1]:
+        yield {"channel": number, "at": round(changes[0][0], 1)}
     latest = sorted(switched, key=lambda each: (each in blinking, lead(changes, switched[each]), each))
     for output in latest if len(changes) > 1 else ():
         for inverted in (0, 1):
