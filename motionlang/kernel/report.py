@@ -36,9 +36,6 @@ SCHEMA = "motionlang.report/2"
 END_OF_RUN = "end-of-run"
 # The sources of an axis's position: without a simulated motor feedback equals demand.
 DEMAND, MOTOR = "demand", "simulated motor"
-# The fields before the moves and the events, and these.
-_FIRST = ("schema", "program", "dialect", "status", "time", "output")
-_LISTS = ("moves", "events")
 # Moves that are written at once.
 AT_ONCE = 1000
 # The figures of a move apart from its profile, in the order of `_line_of_ramps`.
@@ -68,18 +65,6 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     if whole:
         tail |= _concluded(run)
     return _document(_head(run), {"moves": _move_lines(run), "events": map(_encoder(), events(run))}, tail)
-
-
-def rendered(document: Row) -> str:
-    """Return report data as a document in the same form."""
-    head = {name: value for name, value in document.items() if name in _FIRST}
-    lists: dict[str, Iterator[str]] = {
-        name: map(_encoder(), document.get(name, ()))  # type: ignore[call-overload]
-        for name in _LISTS
-        if name in document
-    }
-    tail = {name: value for name, value in document.items() if name not in (*_FIRST, *_LISTS)}
-    return "".join(_document(head, lists, tail))
 
 
 def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:

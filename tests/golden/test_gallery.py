@@ -15,7 +15,7 @@ from motionlang.cli.program_files import programs
 from motionlang.commands.diff.golden import differences, golden_files, update
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.scenarios import scenario_files
-from motionlang.commands.verify.further import further_checks, sweep_golden
+from motionlang.commands.verify.further import further_check, further_files, sweep_golden
 from motionlang.kernel import Run
 from tests.proof import prove, run
 
@@ -50,7 +50,11 @@ def assert_every_second_is_charged_once(result: Run) -> None:
 @pytest.mark.slow
 def test_scenarios_and_sweeps_are_as_expected(request: pytest.FixtureRequest) -> None:
     for rewrite in (True, False) if request.config.getoption("--update") else (False,):
-        found = [each for program in PROGRAMS for each in further_checks(str(program), rewrite)]
+        found = [
+            further_check(str(program), path, rewrite)
+            for program in PROGRAMS
+            for path in further_files(str(program))
+        ]
         assert [each.lines + each.diagnostics for each in found if each.failed] == []
     kinds = [each.kind for each in found]
     assert kinds.count("scenario") >= 4

@@ -53,11 +53,11 @@ def update(program: str, result: Run) -> bool:
             return False
     except (OSError, ValueError):
         pass  # A file is missing or is not JSON.
-    write(program, text(result, whole=False), result.output)
+    _write(program, text(result, whole=False), result.output)
     return True
 
 
-def write(program: str, report: str, output: Sequence[str]) -> None:
+def _write(program: str, report: str, output: Sequence[str]) -> None:
     """Write both golden files of a program, or neither; an OSError names the file."""
     path, printed = golden_files(program)
     with replacing(path, only_copy=True) as file:

@@ -24,8 +24,6 @@ from motionlang.kernel.report import END_OF_RUN, SCHEMA
 
 Report = Mapping[str, Any]
 Move = dict[str, Any]
-# Indices in the old and the new list, and the number of the difference; None if there is none.
-Pair = tuple[int | None, int | None, int | None]
 
 _FIGURES = re.compile(r"-?\d[\d.]*(?:e-?\d+)?")
 _LINE = re.compile(r"\bline \d+")
@@ -74,12 +72,7 @@ class LineChange:
 
 
 class Difference:
-    """The difference between two reports; `same` if there is none.
-
-    `pairs` has every move of both with its counterpart, and the `LineChange` that reports them. `hunks` has,
-    by the same positions, the moves that were inserted or removed together. `printed`, `happened` and
-    `reported` are the pairs of prints, events and errors.
-    """
+    """The difference between two reports; `same` if there is none."""
 
     def __init__(self) -> None:
         self.time: tuple[float, float] | None = None
@@ -98,20 +91,10 @@ class Difference:
         # how much.
         self.events: list[tuple[Move | None, Move | None, float]] = []
         self.errors: list[tuple[str, str]] = []
-        # Other differences, by the field of the report.
-        self.fields: dict[str, list[str]] = {}
-        self.pairs: list[tuple[int | None, int | None, LineChange | None]] = []
-        self.hunks: dict[tuple[int | None, int | None], int] = {}
+        # Differences in other fields of the report.
+        self.others: list[str] = []
         # When moves began and ended, on which axis, and how much later that is.
         self.later: list[tuple[float, int, float]] = []
-        self.printed: list[Pair] = []
-        self.happened: list[Pair] = []
-        self.reported: list[Pair] = []
-
-    @property
-    def others(self) -> list[str]:
-        """Differences in other fields, in order."""
-        return [line for lines in self.fields.values() for line in lines]
 
     @property
     def same(self) -> bool:
@@ -127,7 +110,7 @@ class Difference:
             or self.prints
             or self.events
             or self.errors
-            or self.fields
+            or self.others
         )
 
     @property
@@ -198,7 +181,7 @@ def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Differ
     if all(cycles) and (found.lines or found.removed or found.new):
         one, other = (each["period"] for each in cycles)
         found.cycle = None if tolerance.same(one, other, "time") else (one, other)
-    tail, _ = line.pair(end_of(old), end_of(new))
+    tail = line.wait(end_of(old), end_of(new))
     if found.time is not None and not tolerance.same(found.time[0] + tail, found.time[0], "time"):
         found.tail = tail
     _prints(found, old.get("output", []), new.get("output", []), is_cut)
@@ -208,8 +191,8 @@ def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Differ
         values = [each.get(name) for each in (old, new)]
         if is_cut and name == "axes":
             values = [_at_any_time(each) for each in values]
-        if name not in OWN and (lines := list(_others(name, values[0], values[1], tolerance))):
-            found.fields[name] = lines
+        if name not in OWN:
+            found.others += _others(name, values[0], values[1], tolerance)
     return found
 
 
@@ -287,36 +270,28 @@ def _moves(
     found.moves = len(old), len(new)
     changes: dict[tuple[int, int, int, str], LineChange] = {}
     lines: dict[int, set[int]] = {}
-    hunk, last = 0, True
     exact = _at_lines(old, new, _by_figures)
     for i, j in _both_reach(aligned(old, new, exact, _by_figures, _by_content, _by_kind), is_cut):
         if i is None or j is None:
-            hunk += last
-            last = False
-            found.hunks[i, j] = hunk
-            found.pairs.append((i, j, None))
-            if j is None and i is not None:
+            if i is not None:
                 found.removed.append(old[i])
-                line.alone(old[i], 0, False)
+                line.alone(old[i], 0)
             elif j is not None:
                 found.new.append(new[j])
-                line.alone(new[j], 1, True)
+                line.alone(new[j], 1)
             continue
-        last = True
         a, b = old[i], new[j]
         lines.setdefault(a["line"], set()).add(b["line"])
-        wait, _ = line.pair(a, b)
+        wait = line.wait(a, b)
         found.later += _moments(a, b)
         figures = {name: pair for name, *pair in _figures(a, b, tolerance)}
         later = not tolerance.same(a["start_time"] + wait, a["start_time"], "start_time") and abs(wait) > 1e-9
         if not figures and not later:
-            found.pairs.append((i, j, None))
             continue
         key = a["line"], b["line"], a["axis"], a["command"]
         change = changes.get(key)
         if change is None:
             change = changes[key] = LineChange(*key, b["start_time"])
-        found.pairs.append((i, j, change))
         change.count += 1
         change.duration += (b["duration"] or 0.0) - (a["duration"] or 0.0) if "duration" in figures else 0.0
         change.wait += wait if later else 0.0
@@ -369,9 +344,7 @@ def _phases(one: list[Move], other: list[Move], tolerance: Tolerance) -> Iterato
 def _prints(found: Difference, old: list[str], new: list[str], is_cut: bool) -> None:
     for i, j in _both_reach(aligned(old, new, str, lambda text: _FIGURES.sub("", str(text))), is_cut):
         was, is_ = "" if i is None else old[i], "" if j is None else new[j]
-        differs = i is None or j is None or was != is_
-        found.printed.append((i, j, len(found.prints) if differs else None))
-        if differs:
+        if i is None or j is None or was != is_:
             found.prints.append((None if i is None else i + 1, None if j is None else j + 1, was, is_))
 
 
@@ -392,7 +365,6 @@ def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tole
                 tolerance.same(was["time"] + each, is_["time"], "time") for each in _later(shifts, was)
             ):
                 later, differs = shift, True
-        found.happened.append((i, j, len(found.events) if differs else None))
         if differs:
             found.events.append((was, is_, later))
 
@@ -430,7 +402,6 @@ def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
     before = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
     after = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
     for i, j in aligned(before, after, str):
-        found.reported.append((i, j, len(found.errors) if i is None or j is None else None))
         if j is None and i is not None:
             found.errors.append(("removed", before[i]))
         elif i is None and j is not None:

@@ -9,7 +9,6 @@ from collections.abc import Sequence
 from math import fsum
 from typing import TYPE_CHECKING, Any
 
-from motionlang.commands.diff.accept import AcceptedChange
 from motionlang.commands.diff.charged import Charge
 from motionlang.commands.diff.literals import ChangedLiteral
 from motionlang.commands.diff.reports import Difference, LineChange
@@ -246,30 +245,6 @@ def _move(move: dict[str, Any]) -> str:
         f"line {move['line']}: {move['command']} of axis {move['axis']} by {_value(move['distance'])} uu "
         f"at {move['start_time']:.6f} s"
     )
-
-
-def change_lines(found: Difference, change: AcceptedChange) -> list[str]:
-    """Return the text of a single change."""
-    kind, what = change.kind, change.what
-    if kind == "status":
-        return diff_lines(found, most=0)[:1]
-    if kind == "line":
-        return [_line(what)]
-    if kind == "moves":
-        removed, new = iter(found.removed), iter(found.new)
-        lines = []
-        for (i, _), number in found.hunks.items():
-            move = next(removed if i is not None else new)
-            if number == what:
-                lines.append(f"{'new' if i is None else 'missing'}: {_move(move)}")
-        return _first(lines, MAX_LINES, "moves of this kind")
-    if kind == "field":
-        return _first(found.fields[what], MAX_LINES, "others")
-    if kind == "end":
-        return [_tail(found.tail)]
-    if kind == "print":
-        return [_print(*found.prints[what])]
-    return [_event(*found.events[what])] if kind == "event" else [_error(*found.errors[what])]
 
 
 def _tail(seconds: float) -> str:

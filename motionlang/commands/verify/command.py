@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Collection, Sequence
@@ -11,25 +10,26 @@ from functools import partial
 from typing import ClassVar
 
 from motionlang.cli.command import WrongOption, argument, flag, option
-from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
+from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.option_groups import Findings, Jobs
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import among
-from motionlang.cli.signals import SIGNALS
 from motionlang.commands.check.findings import Found, written
-from motionlang.commands.diff.golden import differences, golden_files, update
+from motionlang.commands.diff.golden import golden_files
 from motionlang.commands.profile.budget import within_budget
-from motionlang.commands.scenarios import Scenario, unmet
+from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.commands.verify.further import (
     check_limits,
     check_text,
+    compare,
     expectations,
-    further_checks,
+    further_check,
     further_files,
     has_limits,
     ran,
+    rewrite_golden,
 )
-from motionlang.commands.verify.review import NoAnswer, Quit, ask, review
+from motionlang.commands.verify.review import NoAnswer, ask
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel import (
     ProgramError,
@@ -38,10 +38,9 @@ from motionlang.kernel import (
     Source,
     dialect_of,
     machine_of,
-    run,
     settings_next_to,
 )
-from motionlang.kernel.tools import need
+from motionlang.kernel.tools import count_of, need
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
@@ -52,7 +51,7 @@ COMMANDS = {"check": "check", "certificate": "certify"}
 LOG_SUFFIX = ".mcapi-log"
 NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
-accept all changes with --update. The golden files of this program are unchanged.
+rewrite all golden files with --update. Those of this program are unchanged.
 """
 
 
@@ -88,7 +87,7 @@ examples:
         default=frozenset(),
     )
     update: bool = flag("rewrite the golden files that differ")
-    review: bool = flag("ask whether to accept each change")
+    review: bool = flag("ask whether to rewrite the golden files of each program that differs")
 
     def check(self) -> None:
         super().check()
@@ -107,19 +106,18 @@ examples:
         form, verdicts, quits = self.format, list[Verdict](), False
         for each in in_parallel(partial(_verdicts_of, self.update, self.also), found, self.jobs):
             for verdict in each:
-                verdicts.append(verdict)
-                if form in ("text", "json", "csv"):
-                    complain(verdict.diagnostics, verdict.source, verdict.path)
-                if form == "text":
-                    sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
-                if self.review and verdict.failed and verdict.lines and not quits:
+                self._print(verdict)
+                if self.review and verdict.is_outdated and not quits:
                     try:
-                        _review(each[0].name, verdict)
-                    except Quit:
-                        quits = True
+                        answer = ask(f"{verdict.name}: write its golden files?")
                     except NoAnswer:
                         sys.stderr.write(NO_ANSWER)
                         return 2
+                    quits = answer == "q"
+                    if answer == "y":
+                        verdict = _rewritten(each[0].name, verdict)
+                        self._print(verdict)
+                verdicts.append(verdict)
         if form == "text" and not self.quiet:
             good = ", ".join(filter(None, (_count(verdicts, kind) for kind in KINDS)))
             what = (
@@ -139,40 +137,22 @@ examples:
             sys.stdout.write(written(document, form, "verify"))
         return 1 if any(each.failed for each in verdicts) else 0
 
-
-def _review(program: str, verdict: Verdict) -> None:
-    """Ask about each change; failures unrelated to golden files remain."""
-    sys.stdout.flush()
-    try:
-        if verdict.kind == "sweep":
-            _review_rows(program, verdict)
-        elif verdict.kind == "log":
-            sys.stderr.write(
-                f"{verdict.name}: a log is recorded, not accepted: motionlang mcapi run --record\n"
-            )
-        elif verdict.kind == "program":
-            result = within_budget(run(program))
-            SIGNALS.end_with(result)
-            matches = review(program, result)
-            verdict.failed = not matches or bool(expectations(result))
-        elif os.path.exists(golden_files(verdict.name)[0]):
-            scenario = Scenario(program, verdict.name)
-            result = scenario.run()
-            SIGNALS.end_with(result)
-            matches = review(verdict.name, result)
-            verdict.failed = not matches or bool(unmet(result, scenario.expected))
-    except (OSError, ValueError, ProgramError) as error:
-        sys.stderr.write(f"{verdict.name}: nothing written: {error}\n")
+    def _print(self, verdict: Verdict) -> None:
+        if self.format in ("text", "json", "csv"):
+            complain(verdict.diagnostics, verdict.source, verdict.path)
+        if self.format == "text":
+            sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
 
 
-def _review_rows(program: str, verdict: Verdict) -> None:
-    answer = ask(f"{verdict.name}: accept these rows?", "ynq")
-    if answer == "q":
-        raise Quit
-    if answer == "y":
-        (again,) = further_checks(program, True, verdict.name)
-        verdict.failed = again.failed
-        complain(again.diagnostics, again.source, again.path)
+def _rewritten(program: str, verdict: Verdict) -> Verdict:
+    """Rewrite the golden files of a program, a scenario or a sweep; return its verdict."""
+    if verdict.kind != "program":
+        return further_check(program, verdict.name, True)
+    again = Verdict(program)
+    result = _update(again)
+    if result is not None:
+        again.report(expectations(result))
+    return again
 
 
 def _count(verdicts: Sequence[Verdict], kind: str) -> str:
@@ -209,7 +189,7 @@ def _verdicts_of(rewrite: bool, also: Collection[str], program: str) -> list[Ver
             _update(verdict)
         else:
             _verify(verdict, also)
-    found += [verdict, *further_checks(program, rewrite)]
+    found += [verdict, *(further_check(program, path, rewrite) for path in further_files(program))]
     return [*found, check_limits(program)] if "certify" in also and has_limits(program) else found
 
 
@@ -220,7 +200,11 @@ def _verify(verdict: Verdict, also: Collection[str]) -> None:
     if not is_golden:
         missing = f"no {os.path.basename(report)} next to it"
         checked = ["its text"] * ("check" in also) + ["its [[expect]] entries"] * (result is not None)
-        checked += further_files(verdict.name)
+        further = further_files(verdict.name)
+        sweeps = sum(each.endswith(SWEEP_SUFFIX) for each in further)
+        checked += [count_of(len(further) - sweeps, "scenario")] * (len(further) > sweeps) + [
+            "a sweep"
+        ] * sweeps
         checked += ["its limits"] * ("certify" in also and has_limits(verdict.name))
         verdict.has_golden = not checked
         if checked:
@@ -229,6 +213,7 @@ def _verify(verdict: Verdict, also: Collection[str]) -> None:
             listed = f"{', '.join(others)} and {last}" if others else last
             verdict.lines.append(f"{verdict.name}: {missing}; only {listed} {are} checked")
         elif not verdict.failed:
+            verdict.is_outdated = True
             verdict.fail(f"{missing}; --update writes one")
         if result is not None:
             verdict.report(expectations(result))
@@ -236,14 +221,10 @@ def _verify(verdict: Verdict, also: Collection[str]) -> None:
     if result is None:
         return
     try:
-        found = differences(verdict.name, result)
+        compare(verdict, result, expectations(result))
     except OSError as error:
         verdict.refuse([unreadable(str(error.filename), error)])
-    except ValueError as error:
-        what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared with"
-        verdict.fail(f"{os.path.basename(report)} {what}: {error}")
     else:
-        verdict.report(expectations(result) + found)
         if verdict.failed and result.diagnostics:  # for example of a program that no longer compiles
             verdict.diagnostics, verdict.source = result.diagnostics, result.source
 
@@ -256,15 +237,11 @@ def _expects(program: str) -> bool:
         return True
 
 
-def _update(verdict: Verdict) -> None:
+def _update(verdict: Verdict) -> Run | None:
     result = _ran(verdict)
-    if result is None:
-        return
-    try:
-        if update(verdict.name, result):
-            verdict.lines.append(f"{verdict.name}: written")
-    except OSError as error:
-        verdict.refuse([unwritten(str(error.filename), error)])
+    if result is not None:
+        rewrite_golden(verdict, result)
+    return result
 
 
 def _ran(verdict: Verdict) -> Run | None:

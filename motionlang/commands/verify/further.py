@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 import os
-from collections.abc import Callable
 
 from motionlang.cli.complaints import unreadable, unwritten
 from motionlang.cli.crash import crash
@@ -20,30 +20,49 @@ from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel import ProgramError, Run, Source, machine_of, run, settings_next_to
 from motionlang.kernel.files import replacing
-from motionlang.kernel.tools import count_of
-
-
-def further_checks(program: str, rewrite: bool, only: str = "") -> list[Verdict]:
-    """Check, or rewrite, the scenarios and the sweep of a program, or one of them."""
-    found = [
-        _guarded(Verdict(path, "scenario"), _scenario, program, rewrite)
-        for path in scenario_files(program)
-        if only in ("", path)
-    ]
-    path = os.path.splitext(program)[0] + SWEEP_SUFFIX
-    if only in ("", path) and os.path.isfile(path):
-        found.append(_guarded(Verdict(path, "sweep"), _sweep, program, rewrite))
-    return found
 
 
 def further_files(program: str) -> list[str]:
-    """Return what is verified with a program, as text: its scenarios and its sweep."""
-    scenarios, found = len(scenario_files(program)), []
-    if scenarios:
-        found.append(count_of(scenarios, "scenario"))
-    if os.path.isfile(os.path.splitext(program)[0] + SWEEP_SUFFIX):
-        found.append("a sweep")
-    return found
+    """Return the files that are verified with a program: its scenarios and its sweep."""
+    sweep = os.path.splitext(program)[0] + SWEEP_SUFFIX
+    return [*scenario_files(program), *([sweep] if os.path.isfile(sweep) else ())]
+
+
+def further_check(program: str, path: str, rewrite: bool) -> Verdict:
+    """Check, or rewrite, a scenario or the sweep of a program; it fails if a file is unreadable or invalid."""
+    is_sweep = path.endswith(SWEEP_SUFFIX)
+    verdict = Verdict(path, "sweep" if is_sweep else "scenario")
+    try:
+        (_sweep if is_sweep else _scenario)(program, verdict, rewrite)
+    except OSError as error:
+        verdict.refuse([unreadable(str(error.filename or path), error)])
+    except ProgramError as error:
+        verdict.refuse(error.diagnostics, Source.read(path))
+    except ValueError as error:
+        verdict.fail(str(error))
+    return verdict
+
+
+def compare(verdict: Verdict, result: Run, found: list[str]) -> None:
+    """Report what was `found` and how a run differs from its golden files; an OSError names the file."""
+    try:
+        changes = differences(verdict.name, result)
+    except ValueError as error:
+        what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared with"
+        verdict.is_outdated = True
+        verdict.fail(f"{os.path.basename(golden_files(verdict.name)[0])} {what}: {error}")
+    else:
+        verdict.is_outdated = bool(changes)
+        verdict.report(found + changes)
+
+
+def rewrite_golden(verdict: Verdict, result: Run) -> None:
+    """Rewrite the golden files if the run differs from them."""
+    try:
+        if update(verdict.name, result):
+            verdict.lines.append(f"{verdict.name}: written")
+    except OSError as error:
+        verdict.refuse([unwritten(str(error.filename), error)])
 
 
 def check_text(program: str) -> Verdict:
@@ -99,21 +118,6 @@ def expectations(result: Run) -> list[str]:
     return unmet(result, expected) if expected else []  # type: ignore[arg-type]
 
 
-def _guarded(
-    verdict: Verdict, work: Callable[[str, Verdict, bool], None], program: str, rewrite: bool
-) -> Verdict:
-    """Do the work and return the verdict; it fails if a file is unreadable or invalid."""
-    try:
-        work(program, verdict, rewrite)
-    except OSError as error:
-        verdict.refuse([unreadable(str(error.filename or verdict.name), error)])
-    except ProgramError as error:
-        verdict.refuse(error.diagnostics, Source.read(verdict.name))
-    except ValueError as error:
-        verdict.fail(str(error))
-    return verdict
-
-
 def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
     """Check a scenario against its expectations and its golden files, if any."""
     path = verdict.name
@@ -121,17 +125,13 @@ def _scenario(program: str, verdict: Verdict, rewrite: bool) -> None:
     result = scenario.run()
     SIGNALS.end_with(result)
     found = unmet(result, scenario.expected)
-    golden = os.path.exists(golden_files(path)[0])
     if rewrite:
-        try:
-            if update(path, result):
-                verdict.lines.append(f"{path}: written")
-        except OSError as error:
-            verdict.refuse([unwritten(str(error.filename), error)])
-            return
-    elif golden:
-        found += differences(path, result)
+        rewrite_golden(verdict, result)
+    elif os.path.exists(golden_files(path)[0]):
+        compare(verdict, result, found)
+        return
     elif not scenario.expected:
+        verdict.is_outdated = True
         found.append(
             "it has neither [[expect]] entries nor a golden file; add [[expect]] or run with --update"
         )
@@ -161,6 +161,7 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         _write(verdict, golden, names, rows)
         return
     if not os.path.exists(golden):
+        verdict.is_outdated = True
         verdict.report([f"no {os.path.basename(golden)} next to it; --update writes one"])
         return
     with open(golden, encoding="utf-8", newline="") as file:
@@ -172,6 +173,7 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         for name, was, is_ in zip(names, old, new, strict=False):
             if not _same(was, is_):
                 found.append(f"variant {new[0]}: {name} is {is_} instead of {was}")
+    verdict.is_outdated = bool(found)
     verdict.report(found)
 
 

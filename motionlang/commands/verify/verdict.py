@@ -15,13 +15,14 @@ class Verdict:
     """A result: `failed`, `lines` to print, and `diagnostics` about the file `path`.
 
     `kind` is "program", "scenario", "sweep", "log", "check" or "certificate". `has_golden` is False for a program of
-    which only expectations, scenarios or a sweep are checked.
+    which only expectations, scenarios or a sweep are checked. `is_outdated` is True if its golden files are missing or
+    differ.
     """
 
     def __init__(self, name: str, kind: str = "program") -> None:
         self.name = self.path = name
         self.kind = kind
-        self.failed, self.has_golden = False, True
+        self.failed, self.has_golden, self.is_outdated = False, True, False
         self.lines: list[str] = []
         self.diagnostics: list[Diagnostic] = []
         self.source: Source | None = None

@@ -100,38 +100,54 @@ def changed(cell: Cell) -> Cell:
     return cell
 
 
-def test_changes_are_accepted_one_by_one(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Accepted are the first program's move, the second one's line, the third's both."""
-    before = golden(changed, "c")
-    answers(monkeypatch, "y\nn\nn\nx\nn\ny\ny\na\n")
+def test_each_program_is_asked_for(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = [golden(changed, name) for name in "abc"]
+    answers(monkeypatch, "y\nx\nn\nq\n")
     ran = changed("verify", ".", "--review", "--jobs", "1")
     assert ran.status == 1
-    assert ran.out.count("accept change 1 of 3?") == 4  # x is no answer: that is reported, and asked again
-    assert "y  accept this change" in ran.out
+    assert (
+        ran.out.count("./b.mnt: write its golden files? [y,n,q,?] ") == 2
+    )  # x is no answer, and asked again
+    assert "y  write the golden files" in ran.out
+    assert "./a.mnt: written\n" in ran.out
+    assert [golden(changed, name) == was for name, was in zip("abc", before, strict=True)] == [
+        False,
+        True,
+        True,
+    ]
     ran = changed("verify", ".")
-    first, _, second = ran.out.partition("./b.mnt: differs\n  time: ")
-    # A further statement takes its 10 us: that is a change of its own, which was rejected as well.
-    assert "the run ends +0.000010 s after its last motion\n  new: printed line 2, 'at last'\n" in first
-    assert "MOVEA" not in first
-    assert "line 2: MOVEA of axis 0, 1 move: duration 0.7" in second
-    assert "printed" not in second
+    assert "a.mnt" not in ran.out
     assert ran.out.endswith("1 of 3 programs match their golden files\n")
-    assert golden(changed, "c") != before
-    assert (changed.folder / "b.golden.txt").read_text() == "there\nat last\n"
-    assert (changed.folder / "a.golden.txt").read_text() == "there\n"
 
 
-def test_whoever_quits_has_what_was_accepted(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    before = golden(changed, "c")
-    answers(monkeypatch, "d\ny\nq\n")
-    assert changed("verify", ".", "--review", "--jobs", "1").status == 1
-    ran = changed("verify", ".")
-    assert "./a.mnt: differs\n  time: " in ran.out
-    assert "MOVEA" not in ran.out.partition("b.mnt")[2].partition("c.mnt")[0]
-    assert golden(changed, "c") == before
+def test_after_quitting_nothing_is_asked_or_written(changed: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    before = golden(changed, "b")
+    answers(monkeypatch, "q\ny\n")
+    ran = changed("verify", ".", "--review", "--jobs", "1")
+    assert ran.status == 1
+    assert ran.out.count("write its golden files?") == 1
+    assert "./c.mnt: differs\n" in ran.out
+    assert golden(changed, "b") == before
 
 
-@pytest.mark.parametrize("given", ["", "y\n"])
+def test_only_golden_files_are_asked_for(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The golden files of the program match, and those of a scenario and a sweep are missing."""
+    cell.write("pick.mnt", PICK)
+    cell.write("pick.machine.toml", '[[expect]]\nprints = "gone"\n')
+    cell("verify", "pick.mnt", "--update")
+    (cell.folder / "pick.scenarios").mkdir()
+    cell.write("pick.scenarios/slow.toml", "[axis.0]\nstart = 1\n")
+    cell.write("pick.sweep.toml", 'keep = ["time"]\n[vary]\naxis.0.start = [0, 1]\n')
+    answers(monkeypatch, "y\ny\n")
+    ran = cell("verify", "pick.mnt", "--review")
+    assert "pick.mnt: write" not in ran.out
+    assert "pick.mnt: differs\n  'gone' " in ran.out
+    assert "slow.toml: written\n" in ran.out
+    assert "pick.sweep.golden.csv: written\n" in ran.out
+    assert ran.out.endswith("0 of 1 programs, 1 of 1 scenarios, 1 of 1 sweeps match their golden files\n")
+
+
+@pytest.mark.parametrize("given", ["", "x\n"])
 def test_without_an_answer_nothing_is_written(
     given: str, changed: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:
