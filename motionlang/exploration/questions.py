@@ -84,11 +84,13 @@ def as_before(explorer: Explorer, node: StateNode) -> Iterator[Causes]:
 
 
 def pulses(explorer: Explorer, node: StateNode, visit: Visit, change: Change) -> Iterator[Causes]:
-    """Yield an input that comes and goes as often as the program counts it, if one pulse leads nowhere."""
+    """Yield an input that comes and goes: once if that leads to a new state, if nowhere as often as it is counted."""
     once = explorer.changed(visit, _pulses(change, 1))
-    last = explorer.rests(once)[-1:]
-    if [each.state for each in last] == [node.state] and not once.part(visit.change_time, inf).moves:
+    last = [each.state for each in explorer.rests(once)[-1:]]
+    if last == [node.state] and not once.part(visit.change_time, inf).moves:
         yield from _counted(explorer, node, visit, partial(_pulses, change), [once])
+    elif not explorer.nodes.keys() >= set(last):
+        yield _pulses(change, 1)
 
 
 def is_read_again(explorer: Explorer, trial: Trial, change: Change) -> bool:
