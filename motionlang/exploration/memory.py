@@ -17,7 +17,8 @@ that counts, as `n = n + 1` does, or takes a number of the world, as `n = COMMS(
 be a new state.
 
 Invariants. The numbers of variables are those of `Uses`, and so of the list of shared variables of any run of the
-program. Variables of a call are part of the analysis and of no result.
+program. Variables of a call are part of the analysis and of no result; of the registers that each task of MCCL has,
+those of the first task are.
 
 Cost. Each point is visited once for each bit that reaches it.
 """
@@ -51,13 +52,11 @@ class Memory:
         for p, point in enumerate(self._graph.points):
             self._at[point.at] |= needed[p]
         self._shared = {
-            bit: n
-            for (own, n), bit in self._bits.items()
-            if not own and 0 <= n < MAX_SHARED and not bit & counting
+            bit: n for (call, n), bit in self._bits.items() if not call and n < MAX_SHARED and not bit & counting
         }
 
     def variables(self, offsets: Iterable[int]) -> list[int]:
-        """Return the shared variables that count at each of some statements, in order.
+        """Return the variables that count at each of some statements, in order.
 
         A loop that assigns to a variable before it reads it does not remember it.
         """
@@ -68,7 +67,7 @@ class Memory:
 
     @cached_property
     def all(self) -> list[int]:
-        """All shared variables that count anywhere, in order."""
+        """All variables that count anywhere, in order."""
         found = 0
         for bits in self._at.values():
             found |= bits
@@ -159,10 +158,12 @@ class Memory:
         lists = {p: name for name, own in self._graph.ranges.items() for p in own}
         behind: defaultdict[str, list[int]] = defaultdict(list)
         following = [list(self._graph.within[p]) for p in range(len(points))]
+        macros = [unit.entry for unit in self._structure.units if unit.kind == "macro"]
         for p, point in enumerate(points):
-            if point.kind in (CALL, ENTER) and point.calls >= 0:
-                following[p].append(point.calls)
-                behind[lists.get(point.calls, "")] += point.next
+            # A register that a program computes may call any macro.
+            for called in ([point.calls] if point.calls >= 0 else macros) if point.kind in (CALL, ENTER) else ():
+                following[p].append(called)
+                behind[lists.get(called, "")] += point.next
         for p, point in enumerate(points):
             if point.kind == RETURN or not following[p]:
                 following[p] += behind.get(lists.get(p, ""), ())

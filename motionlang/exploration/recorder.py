@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 from math import inf
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from motionlang.exploration.changes import Channel
 from motionlang.kernel import Hook, Machine, Task
@@ -48,7 +48,7 @@ Readings = Mapping[int, Mapping[Channel, Sequence[ReadSpan]]]
 class TrialRecorder(Hook):
     """A record of the tasks of a run from a time on: their statements, what they read and compare, the memory.
 
-    `remembered` are the numbers of the shared variables whose values are recorded. What is no reading of the program is
+    `remembered` are the numbers of the variables whose values are recorded. What is no reading of the program is
     left out: `written` are the channels that a statement only writes, by its source offset, since a write reads the old
     value, too; `switches` are the inputs that only the axes read.
     """
@@ -173,7 +173,7 @@ class TrialRecorder(Hook):
             return True
         name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
         self.statements[name].append(Begun(time, offset, self._callers_of(task)))
-        self._remember(task, time)
+        self._remember(scheduler.parent, time)
         if offset not in self._places or self._machine.moves_made != self._moves:
             self._places.add(offset)
             self.seen.add(offset)
@@ -190,9 +190,9 @@ class TrialRecorder(Hook):
         if scheduler is not None:
             self._remember(scheduler.parent, self.since)
 
-    def _remember(self, task: Task, time: float) -> None:
-        shared = task.loops_of_all.world.shared  # type: ignore[attr-defined]  # tasks of a program run on steps
-        values = tuple([shared[n] for n in self._remembered])
+    def _remember(self, parent: Any, time: float) -> None:
+        shared, own = parent.loops_of_all.world.shared, parent.own  # tasks of a program run on steps
+        values = tuple([shared[n] if n >= 0 else own[-1 - n] for n in self._remembered])
         if not self.memory or self.memory[-1][1] != values:
             self.memory.append((time, values))
 

@@ -85,7 +85,7 @@ def structure(
             if at in writes and constant is not None:
                 writes[at] = str(constant)
     used = frozenset[int]().union(*(use.reads | use.sets for use in graph.uses if use is not None))
-    registers = {n: f"register {n}" for n in sorted(used) if n >= 0}
+    registers = {n: f"register {n if n >= 0 else -1 - n}" for n in sorted(used)}
     return Structure(source, statements, graph, units, writes, registers, has_one_series=True)
 
 
