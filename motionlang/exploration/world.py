@@ -81,12 +81,12 @@ class FoundWorld(NamedTuple):
 
 
 def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int = TIMES) -> FoundWorld:
-    """Return the world of the likeliest cycle that repeats when it is played, or of one that comes furthest.
+    """Return the world of the likeliest cycle that repeats as it was found, or of one that comes furthest.
 
     A cycle that ends after a turn or two, such as a batch of one, may go on in the world of these turns.
     Without a cycle it is the world in which the program comes furthest.
     """
-    best: tuple[int, MachineCycle, Trial] | None = None
+    best: tuple[bool, int, MachineCycle, Trial] | None = None
     explained = 0
     for cycle in likeliest[:PLAYED]:
         trial = played(explorer, cycle, times=times)
@@ -96,10 +96,10 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
             trial = max(trial, back, key=lambda each: _count(cycle, each))
         if best is None and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
             trial = _played_on(explorer, cycle, trial)
-        count = _count(cycle, trial)
-        if best is None or (count > best[0] and cycle.repeats):
-            best = count, cycle, trial
-        if count >= min(times, ENOUGH):
+        count, is_right = _count(cycle, trial), _is_as_right(cycle, trial)
+        if best is None or ((is_right, count) > best[:2] and cycle.repeats):
+            best = is_right, count, cycle, trial
+        if is_right and count >= min(times, ENOUGH):
             break
         if 0 < count < times and cycle.repeats and cycle.work and explained < EXPLAINED:
             # The changes of the next turn are other ones, but they may be the same answers.
@@ -110,8 +110,8 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     if best is None:
         furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
         trial = explorer.play(furthest.timeline, 0.0)
-        best = 0, MachineCycle((), furthest, (), frozenset(), 0.0), trial
-    count, cycle, trial = best
+        best = True, 0, MachineCycle((), furthest, (), frozenset(), 0.0), trial
+    _, count, cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
 
 
@@ -152,6 +152,12 @@ def _count(cycle: MachineCycle, trial: Trial) -> int:
     since = cycle.visit.time if cycle.repeats else 0.0
     counts = Counter(each.line for each in trial.moves if each.begin >= since)
     return min((counts[line] for line in cycle.work), default=0)
+
+
+def _is_as_right(cycle: MachineCycle, trial: Trial) -> bool:
+    """True if a trial says nothing that is wrong, or its cycle does: its transitions may need levels that are gone."""
+    said = (each.text for each in trial.prints if each.time >= cycle.visit.time)
+    return bool(wrong(cycle.said)) or not wrong(said)
 
 
 def _played_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Trial:
