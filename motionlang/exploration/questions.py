@@ -83,13 +83,19 @@ def as_before(explorer: Explorer, node: StateNode) -> Iterator[Causes]:
         yield from dict.fromkeys(each.causes for each in list(other.transitions) if each.causes)
 
 
-def pulses(explorer: Explorer, node: StateNode, visit: Visit, change: Change) -> Iterator[Causes]:
-    """Yield an input that comes and goes: once if that leads to a new state, if nowhere as often as it is counted."""
+def pulses(
+    explorer: Explorer, node: StateNode, visit: Visit, change: Change, trial: Trial
+) -> Iterator[Causes]:
+    """Yield an input that comes and goes: once where its change leads nowhere, and else as often as it is counted."""
+
+    def leads_on(trial: Trial) -> bool:
+        last = [each.state for each in explorer.rests(trial)[-1:]]
+        return last != [node.state] or bool(trial.part(visit.change_time, inf).moves)
+
     once = explorer.changed(visit, _pulses(change, 1))
-    last = [each.state for each in explorer.rests(once)[-1:]]
-    if last == [node.state] and not once.part(visit.change_time, inf).moves:
+    if not leads_on(once):
         yield from _counted(explorer, node, visit, partial(_pulses, change), [once])
-    elif not explorer.nodes.keys() >= set(last):
+    elif not leads_on(trial):
         yield _pulses(change, 1)
 
 

@@ -171,7 +171,7 @@ class Explorer:
         news, rest = self.arrive(node, visit, causes, trial)
         further: list[Iterator[Causes]] = []
         if len(causes) == 1 and questions.is_read_again(self, trial, causes[0]):
-            further.append(questions.pulses(self, node, visit, causes[0]))
+            further.append(questions.pulses(self, node, visit, causes[0], trial))
         if news or trial.is_news or len(self.nodes) > states:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
         if len(node.channels) > read:
