@@ -94,9 +94,11 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         if has_level and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
             back = played(explorer, cycle, times=times, goes_back=True)
             trial = max(trial, back, key=lambda each: _count(cycle, each))
-        if best is None and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
-            trial = _played_on(explorer, cycle, trial)
-        count, is_right = _count(cycle, trial), _is_as_right(cycle, trial)
+        found_with = _found_with(cycle)
+        if found_with and cycle.repeats and _quality(cycle, trial) < (True, min(times, ENOUGH)):
+            other = played(explorer, cycle, found_with, times=times)
+            trial = max(trial, other, key=lambda each: _quality(cycle, each))
+        is_right, count = _quality(cycle, trial)
         if best is None or ((is_right, count) > best[:2] and cycle.repeats):
             best = is_right, count, cycle, trial
         if is_right and count >= min(times, ENOUGH):
@@ -154,21 +156,17 @@ def _count(cycle: MachineCycle, trial: Trial) -> int:
     return min((counts[line] for line in cycle.work), default=0)
 
 
-def _is_as_right(cycle: MachineCycle, trial: Trial) -> bool:
-    """True if a trial says nothing that is wrong, or its cycle does: its transitions may need levels that are gone."""
+def _quality(cycle: MachineCycle, trial: Trial) -> tuple[bool, int]:
+    """Return if a trial says nothing that is wrong, or the cycle does, and how often it has come through the cycle."""
     said = (each.text for each in trial.prints if each.time >= cycle.visit.time)
-    return bool(wrong(cycle.said)) or not wrong(said)
+    return bool(wrong(cycle.said)) or not wrong(said), _count(cycle, trial)
 
 
-def _played_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Trial:
-    """Return the run of a cycle that stops after some turns, with one of the inputs that are in no transition of it."""
-    used = {each.number for _, each in trial.timeline if each.table == "input"}
-    for channel in explorer.channels:
-        if channel not in used:
-            other = played(explorer, cycle, (Change("input", channel, 1.0),))
-            if _count(cycle, other) > _count(cycle, trial):
-                return other
-    return trial
+def _found_with(cycle: MachineCycle) -> Causes:
+    """Return the inputs that were on where the transitions of a cycle were found, and that are not changed in it."""
+    changed = {one.number for each in cycle.transitions for one in each.causes if one.table == "input"}
+    on = {number for each in cycle.transitions for number, level in each.visit.levels.items() if level}
+    return tuple(Change("input", number, 1.0) for number in sorted(on - changed - cycle.visit.levels.keys()))
 
 
 def played(
