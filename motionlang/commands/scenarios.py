@@ -17,8 +17,6 @@ from motionlang.kernel.lang import layered
 
 Entry = Mapping[str, object]
 
-# The suffix of the scenario folder, after a program's name without its own suffix.
-FOLDER_SUFFIX = ".scenarios"
 # The default tolerance of a figure.
 WITHIN = 1e-6
 
@@ -50,9 +48,14 @@ class Scenario:
         return within_budget(run(self.program, machine=self.settings))
 
 
+def scenario_folder(program: str) -> str:
+    """Return the folder of a program's scenarios."""
+    return os.path.splitext(program)[0] + ".scenarios"
+
+
 def scenario_files(program: str) -> list[str]:
     """Return the files of a program's scenarios, in order."""
-    folder = os.path.splitext(program)[0] + FOLDER_SUFFIX
+    folder = scenario_folder(program)
     if not os.path.isdir(folder):
         return []
     return [os.path.join(folder, name) for name in sorted(os.listdir(folder)) if name.endswith(".toml")]

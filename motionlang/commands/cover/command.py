@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -24,10 +23,10 @@ from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.explore.playing import playing
-from motionlang.commands.scenarios import FOLDER_SUFFIX
+from motionlang.commands.scenario_text import write_scenario
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
-from motionlang.kernel.files import create, replacing
+from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import count_of
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.terminal import table_width, wants_colour
@@ -158,11 +157,8 @@ examples:
 
     def _write_scenario(self, file: str, world: SuggestedWorld) -> dict[str, str]:
         """Write the scenario of a world that was found; return what the file is about, by its name."""
-        folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
-        os.makedirs(folder, exist_ok=True)
-        names = (f"{folder}/{world.name}{'' if n == 1 else f'-{n}'}.toml" for n in count(1))
-        path = next(path for path in names if not os.path.lexists(path))
-        create(path, world.text.encode())
+        names = (f"{world.name}{'' if n == 1 else f'-{n}'}" for n in count(1))
+        path = write_scenario(file, names, world.text)
         lines = ", ".join(ranges(world.reaches))
         return {path: f"reaches lines {lines}" if lines else "reaches more of some lines"}
 

@@ -10,17 +10,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from textwrap import wrap
 from typing import Any
 
 from motionlang.commands.cover import Coverage, coverage, ranges
 from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.init import ending, slug
-from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.map.program_map import names_in_comments
+from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import TABLES, Change, Entry, Exploration, entries, plain, tables_of
-from motionlang.kernel import Program, ProgramError, Run, Source, read_machine, run
+from motionlang.exploration import Change, Entry, Exploration, entries, plain, tables_of
+from motionlang.kernel import ProgramError, Run, Source, read_machine, run
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import axes as axes_of
 
@@ -149,9 +148,14 @@ class Search:
 
     def _verified(self, suggestion: SuggestedWorld, result: Run) -> str | None:
         """Return the text of a scenario that `verify` passes, without prints if it must be; None if it does not."""
-        program = self.exploration.program
-        for prints in (True, False):
-            text = scenario_text(program, suggestion, result, prints)
+        program, stop = self.exploration.program, ending(result)
+        lines = ", ".join(ranges(suggestion.reaches))
+        name = program.source.name.rpartition("/")[2]
+        reaches = f"lines {lines}" if lines else "more"
+        about = f"A world of {name}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"
+        settings = suggestion.settings | {f"run.stop.{key}": value for key, value in stop.items()}
+        for has_prints in (True, False):
+            text = scenario_text(about, settings, _expected(result, bool(stop), has_prints))
             above = read_machine(Source(f"{suggestion.name}.toml", text), is_layer=True)
             expected: list[Entry] = above.pop("expect", [])  # type: ignore[assignment]
             try:
@@ -163,26 +167,6 @@ class Search:
         return None
 
 
-def scenario_text(program: Program, world: SuggestedWorld, result: Run, has_prints: bool) -> str:
-    """Return a world as a scenario of a program; its results are the expectations."""
-    lines = ", ".join(ranges(world.reaches))
-    tables = [key for key in world.settings if key in TABLES]
-    reaches = f"lines {lines}" if lines else "more"
-    name = program.source.name.rpartition("/")[2]
-    head = f"A world of {name}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"
-    parts = ["".join(f"# {line}\n" for line in wrap(head, 98)), "\n"]
-    added = {key: value for key, value in world.settings.items() if key not in tables}
-    stop = ending(result)
-    added |= {f"run.stop.{key}": value for key, value in stop.items()}
-    parts += [f"{key} = {toml_value(value)}\n" for key, value in sorted(added.items())]
-    for table in tables:
-        changed = entries(world.settings, table)
-        parts += [f"\n{table} = [\n", *(f"  {inline(each)},\n" for each in changed), "]\n"]
-    for expected in _expected(result, bool(stop), has_prints):
-        parts += ["\n[[expect]]\n", *(f"{key} = {toml_value(value)}\n" for key, value in expected.items())]
-    return "".join(parts)
-
-
 def _expected(result: Run, stops: bool, has_prints: bool) -> Iterator[Entry]:
     """Yield what a run has done, as expectations: no time, no figure and, of a run that `stops` itself, no error.
 
@@ -191,9 +175,7 @@ def _expected(result: Run, stops: bool, has_prints: bool) -> Iterator[Entry]:
     status = "stopped" if stops else result.status
     if status in ("ended", "until", "stopped", "fault"):
         yield {"status": status}
-    for code in dict.fromkeys(
-        each.code for each in result.diagnostics if each.severity == "error" and not stops
-    ):
+    for code in [] if stops else error_codes(result):
         if code != "machine-file":  # that is an error of a file, and nothing that the machine does
             yield {"diagnostic": code}
     if has_prints:
@@ -202,8 +184,7 @@ def _expected(result: Run, stops: bool, has_prints: bool) -> Iterator[Entry]:
     if stops or status in ("until", "stopped"):
         return
     rows: Iterable[dict[str, Any]] = axes_of(result)
-    for axis in rows:
-        yield {"axis": axis["axis"], "position": round(axis["position"], 4), "within": WITHIN}
+    yield from positions(result, (axis["axis"] for axis in rows))
 
 
 def _wording(text: str) -> str:

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from textwrap import wrap
 
 from motionlang.commands.diff.ways import FoundDifference, WaysCompared
 from motionlang.commands.diff.ways_view import Names, difference_words, way_words
 from motionlang.commands.init import slug
-from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.quantities import values_of
+from motionlang.commands.scenario_text import WITHIN, error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
 from motionlang.exploration import Entry, Exploration, plain, tables_of
 from motionlang.kernel import Run, run
 from motionlang.kernel.files import create
 
-# A scenario ends so long after its difference shows, s, and after what B does instead; positions are that exact, uu.
-BEYOND, WITHIN = 1.0, 0.001
+# A scenario ends so long after its difference shows, s, and after what B does instead.
+BEYOND = 1.0
 # So many letters of a way are in the name of a scenario.
 MAX_NAME = 48
 
@@ -33,7 +32,7 @@ def write_scenarios(
     paths: list[str] = []
     left: list[FoundDifference] = []
     for each in found.differences:
-        text = scenario_text(found, each, names)
+        text = _text(found, each, names)
         if text is None:
             left.append(each)
             continue
@@ -44,7 +43,7 @@ def write_scenarios(
     return paths, left
 
 
-def scenario_text(found: WaysCompared, each: FoundDifference, names: Names) -> str | None:
+def _text(found: WaysCompared, each: FoundDifference, names: Names) -> str | None:
     """Return the text of a scenario that shows a difference; None if none passes on A and fails on B."""
     shown = [acts[0].begin for acts in (each.difference.a, each.difference.b) if acts]
     last = max((time for time, _ in each.way.timeline), default=0.0)
@@ -56,8 +55,8 @@ def scenario_text(found: WaysCompared, each: FoundDifference, names: Names) -> s
         made = [_run(one, {**tables, "run.until": end}) for one in (a, b)]
         expected = list(_expected(*made))
         if any(unmet(made[1], [entry]) for entry in expected) and not unmet(made[0], [*expected]):
-            above = {**common, "run.until": end}
-            return _text(each, names, above, tables, expected)
+            head = f"{way_words(each.way, names)}: {difference_words(each)}. It passes on A, and fails on B."
+            return scenario_text(head, {**common, "run.until": end, **tables}, expected)
     return None
 
 
@@ -71,8 +70,7 @@ def _expected(a: Run, b: Run) -> Iterator[Entry]:
     status: Entry = {"status": a.status}
     if a.status in ("ended", "until", "fault", "stopped"):
         yield status
-    codes = dict.fromkeys(each.code for each in a.diagnostics if each.severity == "error")
-    for code in codes:
+    for code in error_codes(a):
         yield {"diagnostic": code}
     mine, others = ([plain(text) for text in one.output if plain(text)] for one in (a, b))
     for text in dict.fromkeys(mine):
@@ -88,24 +86,4 @@ def _expected(a: Run, b: Run) -> Iterator[Entry]:
     for name, value in before.items():
         if value != after[name] and isinstance(value, (int, float)):
             yield {"quantity": name, "value": value, "within": WITHIN}
-    for number in axes:
-        axis = a.controller.axes[number]
-        if axis.is_still:
-            position = round(axis.scale.position_to_user(axis.position(a.time)), 4)
-            yield {"axis": number, "position": position, "within": WITHIN}
-
-
-def _text(
-    each: FoundDifference,
-    names: Names,
-    above: Mapping[str, object],
-    tables: Mapping[str, object],
-    expected: list[Entry],
-) -> str:
-    head = f"{way_words(each.way, names)}: {difference_words(each)}. It passes on A, and fails on B."
-    parts = ["".join(f"# {line}\n" for line in wrap(head, 98)), "\n"]
-    parts += [f"{key} = {toml_value(value)}\n" for key, value in sorted(above.items())]
-    for table, rows in {**tables, "expect": expected}.items():
-        assert isinstance(rows, list)
-        parts += [f"\n{table} = [\n", *(f"  {inline(row)},\n" for row in rows), "]\n"]
-    return "".join(parts)
+    yield from positions(a, axes)

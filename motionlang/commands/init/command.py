@@ -19,10 +19,11 @@ from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.commands.compare.options import mapped, recorded
 from motionlang.commands.explore.playing import playing
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
-from motionlang.commands.init.file import also_fitting, inline, leading, machine_text, scenario_text
+from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
 from motionlang.commands.init.summary import is_wrong, motionless, notes
 from motionlang.commands.run.command import RunCommand
-from motionlang.commands.scenarios import FOLDER_SUFFIX
+from motionlang.commands.scenario_text import inline
+from motionlang.commands.scenarios import scenario_folder
 from motionlang.exploration import Entry, Exploration, explore
 from motionlang.kernel import (
     MACHINE_SUFFIX,
@@ -291,7 +292,7 @@ def _missing(file: str) -> Diagnostic:
 
 def _write_scenarios(file: str, below: Draft, until: float) -> None:
     """Write a scenario for each way through the menus that moves an axis; existing files stay."""
-    folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
+    folder = scenario_folder(file)
     exploration, count = below.exploration, 0
     for choice in choices(exploration):
         world = exploration.world_once(choice.cycle)
@@ -299,7 +300,7 @@ def _write_scenarios(file: str, below: Draft, until: float) -> None:
         os.makedirs(folder, exist_ok=True)
         path = os.path.join(folder, f"{choice.name}.toml")
         if not os.path.lexists(path):
-            create(path, scenario_text(choice, found, below, until).encode())
+            create(path, path_text(choice, found, below, until).encode())
             count += 1
     if count:
         sys.stdout.write(f"{folder}: {count_of(count, 'scenario')} written\n")

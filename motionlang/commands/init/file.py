@@ -5,14 +5,14 @@ Each guess is preceded by the line of the program that needs it.
 
 from __future__ import annotations
 
-import json
 import os
 from math import ceil, floor, isclose
 
 from motionlang.commands.init import Choice, Draft, cycle_text, ending
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
-from motionlang.commands.scenarios import FOLDER_SUFFIX
+from motionlang.commands.scenario_text import inline, scenario_text, toml_value
+from motionlang.commands.scenarios import scenario_folder
 from motionlang.exploration import Entry, Exploration, RestState, Transition, entries
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure, Target
@@ -39,11 +39,8 @@ LIMIT = "the run ends here if the program does not"
 ASKS = "the program asks again, and there is no further answer"
 REPEATS = "the program has no end: this is what a run of it shows"
 SCENARIO = """\
-# {choices}: a path through the menus of {program}, written by motionlang init.
-# It adds to the machine file next to the program. docs/scenarios.md explains scenarios.
-
-run.until = {until:.10g}    # {limit}
-{stop}"""
+{choices}: a path through the menus of {program}, written by motionlang init. It adds to the machine file next to the \
+program. docs/scenarios.md explains scenarios."""
 INPUTS = """
 # Digital inputs. `at` is a time in seconds, `output` the output that the input follows after `delay`, `asked` the time
 # after which it changes once the program waits for it; `value = 0` inverts an input.
@@ -92,14 +89,6 @@ UNKNOWN = """
 EXPECT = """
 # Expectations that `motionlang verify` checks. A scenario, another world for the same program, is a file of its own
 # in the folder {folder}: docs/scenarios.md."""
-STATUS = """
-[[expect]]
-status = "{status}"
-"""
-PRINTS = """
-[[expect]]
-prints = {text}
-"""
 FAULT = """
 # The program stops with an error in this machine, so there is no [[expect]] for `motionlang verify` yet.
 """
@@ -110,8 +99,10 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     exploration, result, switches = draft.exploration, draft.run, draft.exploration.switches.axes
     source = exploration.program.source
     name = os.path.basename(source.name)
+    stop = _stop(result)
+    ends = f"run.stop = {inline(stop)}    # {ASKS if 'event' in stop else REPEATS}\n" if stop else ""
     head = HEAD.format(
-        program=name, model=_model(target), cycles=_cycles(draft), **_end(until, _stop(result))
+        program=name, model=_model(target), cycles=_cycles(draft), until=until, limit=LIMIT, stop=ends
     )
     sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(exploration.program.structure)]
     for table in (each for each in HEADS if each != "input"):
@@ -119,11 +110,10 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
         sections += _table(table, HEADS[table], _lines(draft, table) + guessed)
     for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
         sections.append(_axis(number, _switches(draft, number), result))
-    if result.status in ("ended", "until", "stopped") or _stop(result):
-        folder = f"{os.path.splitext(name)[0]}{FOLDER_SUFFIX}"
-        sections.append(EXPECT.format(folder=folder) + _status(result))
-    else:
-        sections.append(FAULT)
+    expected = _expected(result)
+    sections.append(EXPECT.format(folder=scenario_folder(name)) if expected else FAULT)
+    for each in expected:
+        sections += ["\n[[expect]]\n", *(f"{key} = {toml_value(value)}\n" for key, value in each.items())]
     return "".join(sections)
 
 
@@ -160,12 +150,12 @@ def also_fitting(target: Target) -> str:
     return f"{names} {'fits' if len(target.others) == 1 else 'fit'} the program as well"
 
 
-def scenario_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:
+def path_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:
     """Return the text of a scenario: a way through the menus, on top of the machine file of the draft below."""
     name = os.path.basename(draft.exploration.program.source.name)
     stop = _stop(draft.run) or (_last(draft.run) if _stop(below.run) else {})
-    text = SCENARIO.format(choices=choice, program=name, **_end(until, stop))
-    sections = [text]
+    settings: dict[str, object] = {"run.until": until}
+    settings |= {f"run.stop.{key}": value for key, value in stop.items()}
     for table in HEADS:
         mine, others = draft.entries(table), below.entries(table)
         if table == "input":
@@ -175,9 +165,10 @@ def scenario_text(choice: Choice, draft: Draft, below: Draft, until: float) -> s
             mine = [*changed, *({"channel": each, "at": 0.0, "value": 0} for each in off)]
         elif mine == others:
             continue
-        sections += _table(table, "\n", [_guess(each, draft) for each in mine])
-    sections.append(STATUS.format(status="stopped") if stop else _status(draft.run))
-    return "".join(sections)
+        if mine:
+            settings[table] = [{**each, "guess": True} for each in mine]
+    expected: list[Entry] = [{"status": "stopped"}] if stop else _expected(draft.run)
+    return scenario_text(SCENARIO.format(choices=choice, program=name), settings, expected)
 
 
 def _last(result: Run) -> dict[str, object]:
@@ -191,23 +182,16 @@ def _about(entry: Entry, among: list[Entry]) -> list[Entry]:
     return [each for each in among if each["channel"] == entry["channel"]]
 
 
-def _end(until: float, stop: dict[str, object]) -> dict[str, object]:
-    """Return the time limit, and the line about what ends the run before it."""
-    text = f"run.stop = {inline(stop)}    # {ASKS if 'event' in stop else REPEATS}\n" if stop else ""
-    return {"until": until, "limit": LIMIT, "stop": text}
-
-
 def _stop(result: Run) -> dict[str, object]:
     return {"event": "input"} if result.status == "stopped" else ending(result)
 
 
-def _status(result: Run) -> str:
-    """Return the expected outcome of a run: how it ends, and what it prints in each cycle."""
+def _expected(result: Run) -> list[Entry]:
+    """Return the expected outcome of a run: how it ends, and what it prints in each cycle; empty after an error."""
     stop = _stop(result)
     if stop:
-        prints = PRINTS.format(text=toml_value(stop["prints"])) if "prints" in stop else ""
-        return STATUS.format(status="stopped") + prints
-    return STATUS.format(status=result.status) if result.status in ("ended", "until") else FAULT
+        return [{"status": "stopped"}, *([{"prints": stop["prints"]}] if "prints" in stop else ())]
+    return [{"status": result.status}] if result.status in ("ended", "until") else []
 
 
 def _inputs(draft: Draft) -> list[str]:
@@ -365,18 +349,6 @@ def _figure(name: str, result: Run) -> float:
     row, number = quantity(name)
     value = row.read(result, number)
     return float(value) if isinstance(value, (int, float)) else 0.0
-
-
-def inline(entry: Entry) -> str:
-    """Return an entry as an inline table of TOML."""
-    return f"{{ {', '.join(f'{key} = {toml_value(value)}' for key, value in entry.items())} }}"
-
-
-def toml_value(value: object) -> str:
-    if isinstance(value, list):
-        return f"[{', '.join(map(toml_value, value))}]"
-    text = json.dumps(value, ensure_ascii=False)  # the numbers, truth values and texts of TOML
-    return text.replace("\x7f", "\\u007f")
 
 
 def _quoted(line: str) -> str:

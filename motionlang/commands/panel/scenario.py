@@ -9,20 +9,20 @@ import os
 import re
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from itertools import count
 from math import ceil
 from typing import NamedTuple
 
-from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.panel.play import RELEASE, Play, PlayRecord
-from motionlang.commands.scenarios import FOLDER_SUFFIX, Scenario, unmet
-from motionlang.exploration import TABLES, Change, Entry, number_in, tables_of
+from motionlang.commands.scenario_text import error_codes, positions, scenario_text, write_scenario
+from motionlang.commands.scenarios import Scenario, unmet
+from motionlang.exploration import Change, Entry, number_in, tables_of
 from motionlang.kernel import ProgramError, Run, Source, read_machine, run, settings_next_to
-from motionlang.kernel.files import create
 from motionlang.kernel.lang import layered
 from motionlang.kernel.tracks import axes_of
 
-# A printed line is expected within so many seconds, and a position within so many user units.
-NEAR, WITHIN = 0.05, 0.001
+# A printed line is expected within so many seconds.
+NEAR = 0.05
 # The digits of a time, s.
 DIGITS = 4
 # A run that only waits at its end may be so many times as long.
@@ -30,9 +30,6 @@ SPARE = 10
 # So many printed lines are expected at most, from the first and the last ones.
 MAX_PRINTS = 40
 _SEQUENCE = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x1f\x7f]")
-HEAD = """\
-# {name} as it was operated by hand, saved {when} by motionlang panel.
-"""
 
 
 class NotSaved(Exception):
@@ -69,15 +66,13 @@ def save(file: str, play: Play) -> Saved:
     if not _difference(play, untimed):
         above, made, is_timed = longer, untimed, False
     when = f"at {play.now:.2f} s" if play.result is None else "at its end"
-    text = HEAD.format(name=program.source.name, when=when) + text_of(
-        above, expected(made, is_timed=is_timed)
-    )
+    about = f"{program.source.name} as it was operated by hand, saved {when} by motionlang panel."
+    text = scenario_text(about, above, expected(made, is_timed=is_timed))
     try:
         read_machine(Source(file, text), is_layer=True)
     except ProgramError as error:
         raise NotSaved(f"a scenario cannot have this: {error.diagnostics[0].message}") from None
-    path = _free(file)
-    create(path, text.encode())
+    path = write_scenario(file, (f"hand-{number}" for number in count(1)), text)
     scenario = Scenario(file, path)
     wrong = unmet(scenario.run(), scenario.expected)
     return Saved(path, wrong[0] if wrong else _difference(play, made))
@@ -174,12 +169,8 @@ def expected(made: Run, *, is_timed: bool) -> list[Entry]:
     if not is_timed:
         found = [{"prints": text} for text in dict.fromkeys(text for _, text in prints)]
     found.append({"quantity": "moves", "value": len(made.machine.log.moves)})
-    for axis in axes_of(made.controller):
-        moved = made.controller.axes[axis]
-        if moved.is_still:
-            position = round(moved.scale.position_to_user(moved.actual_position), 4)
-            found.append({"axis": axis, "position": position, "within": WITHIN})
-    codes = dict.fromkeys(each.code for each in made.diagnostics if each.severity == "error")
+    found += positions(made, axes_of(made.controller))
+    codes = error_codes(made)
     found += [{"diagnostic": code} for code in codes]
     if not codes:
         found.append({"status": made.status})
@@ -204,40 +195,3 @@ def _difference(play: Play, made: Run) -> str:
     if len(log.moves) != len(other.moves):
         return f"it makes {len(other.moves)} moves, not {len(log.moves)}"
     return ""
-
-
-# ------------------------------------------------------------------------------------------------------------- text
-
-
-def text_of(above: Mapping[str, object], expectations: Sequence[Entry]) -> str:
-    """Return the text of a scenario."""
-    keys = {key: value for key, value in above.items() if key not in TABLES and not _is_table(value)}
-    lines = [f"{key} = {toml_value(value)}\n" for key, value in keys.items()]
-    for table, entries in {**above, "expect": expectations}.items():
-        if table not in keys:
-            assert isinstance(entries, (list, tuple))
-            rows = "".join(f"  {inline(_whole(each))},\n" for each in entries)
-            lines.append(f"\n{table} = [\n{rows}]\n")
-    return "".join(lines)
-
-
-def _is_table(value: object) -> bool:
-    return isinstance(value, list) and any(isinstance(each, dict) for each in value)
-
-
-def _whole(entry: Entry) -> Entry:
-    """Return an entry with levels as they are typed: 1 in place of 1.0."""
-    return {
-        key: int(value) if isinstance(value, float) and value.is_integer() and key == "value" else value
-        for key, value in entry.items()
-    }
-
-
-def _free(file: str) -> str:
-    """Return the path of a scenario that does not exist yet; its folder does then."""
-    folder = os.path.splitext(file)[0] + FOLDER_SUFFIX
-    os.makedirs(folder, exist_ok=True)
-    number = 1
-    while os.path.lexists(path := os.path.join(folder, f"hand-{number}.toml")):
-        number += 1
-    return path

@@ -301,11 +301,12 @@ controller.model = "mint4"
 run.until = 2.3
 
 input = [
-  { channel = 0, at = 0.3, value = 1.0 },
+  { channel = 0, at = 0.3, value = 1 },
 ]
 
-[[expect]]
-status = "ended"
+expect = [
+  { status = "ended" },
+]
 """
     )
     assert cell("verify", "line.prg").out.endswith("2 of 2 scenarios pass\n")
@@ -334,7 +335,7 @@ def test_a_scenario_has_the_names_of_its_changes(cell: Cell) -> None:
     names = sorted(path.name for path in (cell.folder / "old.scenarios").iterdir())
     assert names == ["input-1-on-and-guard-on.toml", "work.toml"]
     text = (cell.folder / "old.scenarios" / names[0]).read_text()
-    assert '\n[[expect]]\nprints = "GUARD"\n' in text
+    assert '\n  { prints = "GUARD" },\n' in text
     assert cell("verify", "old.prg").status == 0
 
 

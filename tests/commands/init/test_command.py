@@ -181,8 +181,8 @@ def test_each_choice_of_a_menu_that_moves_an_axis_is_a_scenario(cell: Cell) -> N
     assert sorted(path.name for path in folder.iterdir()) == ["choice-1.toml", "choice-3-1.toml"]
     text = (folder / "choice-1.toml").read_text()
     assert text.startswith(
-        '# "Choice" 1: a path through the menus of old.prg, written by motionlang init.\n'
-        "# It adds to the machine file next to the program. docs/scenarios.md explains scenarios.\n"
+        '# "Choice" 1: a path through the menus of old.prg, written by motionlang init. It adds to the\n'
+        "# machine file next to the program. docs/scenarios.md explains scenarios.\n"
     )
     assert '  { prompt = "Choice", text = "1", guess = true },\n' in text
     assert cell("verify", "old.prg").out.endswith("2 of 2 scenarios pass\n")

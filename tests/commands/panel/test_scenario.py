@@ -54,6 +54,7 @@ def test_a_part_by_hand_is_a_scenario(tmp_path: Path, capsys: pytest.CaptureFixt
         scenario.read_text(encoding="utf-8")
         == """\
 # press.mnt as it was operated by hand, saved at 0.64 s by motionlang panel.
+
 run.until = 20.0
 
 input = [

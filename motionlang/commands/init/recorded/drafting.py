@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 from motionlang.commands.compare.drift import clock_text
 from motionlang.commands.init import Draft
-from motionlang.commands.init.file import inline
 from motionlang.commands.init.recorded.axes import axis_remarks, stroke_clock, switches
 from motionlang.commands.init.recorded.judging import (
     JudgedRules,
@@ -46,6 +45,7 @@ from motionlang.commands.init.recorded.recording import (
 )
 from motionlang.commands.init.recorded.rules import MeasuredRule, rules_of
 from motionlang.commands.init.recorded.unrecorded import FittedWorld, Tables, fitted, in_words, subject
+from motionlang.commands.scenario_text import inline
 from motionlang.exploration import TABLES, Entry, entries
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.lang import READ

@@ -27,11 +27,11 @@ from collections.abc import Callable, Mapping
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.init.file import inline
 from motionlang.commands.init.recorded.levels import levels_of
 from motionlang.commands.init.recorded.outcome import SWAPPED, Label, OutcomeMark, matched, near
 from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording
 from motionlang.commands.init.recorded.rules import MeasuredRule, as_recorded, rules_of
+from motionlang.commands.scenario_text import inline
 from motionlang.exploration import Entry
 from motionlang.kernel import Run
 

@@ -11,7 +11,6 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from motionlang.commands.init.file import inline, toml_value
 from motionlang.commands.init.recorded.drafting import (
     Refined,
     check_program,
@@ -24,6 +23,7 @@ from motionlang.commands.init.recorded.drafting import (
 )
 from motionlang.commands.init.recorded.recording import MeasuredRecording
 from motionlang.commands.init.recorded.unrecorded import Tables
+from motionlang.commands.scenario_text import inline, toml_value
 from motionlang.exploration import TABLES, Entry, entries
 from motionlang.kernel import Program, Run
 
