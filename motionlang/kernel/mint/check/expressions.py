@@ -87,36 +87,28 @@ def _unary(b: Body, node: nodes.Unary) -> KnownValue:
 
 def _binary(b: Body, node: nodes.Binary) -> KnownValue:
     """Check an operation on two sides."""
-    if node.op in _LOGIC:
-        b.condition(node.left)
-        b.condition(node.right)
-        return KnownValue(INTEGER)
-    left, right = b.value(node.left), b.value(node.right)
-    return _operated(b, node.op, (node.left, left), (node.right, right))
+    return _operated(b, node.op, (node.left, b.value(node.left)), node.right)
 
 
 def _chain(b: Body, node: nodes.Chain) -> KnownValue:
     """Check a long run of operations, and annotate each `Link` with the result up to it."""
     found = b.value(node.first)
     for link in node.links:
-        if link.op in _LOGIC:
-            b.as_number(found, node, "a condition")
-            b.condition(link.value)
-            found = KnownValue(INTEGER)
-        else:
-            found = _operated(b, link.op, (node, found), (link.value, b.value(link.value)))
+        found = _operated(b, link.op, (node, found), link.value)
         link.type, link.const = found.type, found.const
     return found
 
 
-def _operated(
-    b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: tuple[nodes.Node, KnownValue]
-) -> KnownValue:
-    """Return the result of an operation; each side is a node with its value."""
+def _operated(b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: nodes.Expr) -> KnownValue:
+    """Return the result of an operation, whose left side is checked already: its node and its value."""
     at, one = left
-    _, other = right
+    if op in _LOGIC:
+        b.as_number(one, at, "a condition")
+        b.condition(right)
+        return KnownValue(INTEGER)
+    other = b.value(right)
     if not (one.is_number and other.is_number):
-        return _other_than_numbers(b, op, left, right)
+        return _other_than_numbers(b, op, left, (right, other))
     if one.const is None or other.const is None:
         return KnownValue(_result(op, one, other))
     known = fold_binary(op, one.const, other.const)

@@ -264,7 +264,7 @@ def _unary(w: UnitWriter, node: nodes.Unary) -> Value:
 
 def _binary(w: UnitWriter, node: nodes.Binary) -> Value:
     if node.op in ("And", "Or"):
-        return _either(w, node.op, node.left, node.right)
+        return _either(w, node.op, linear(w, node.left), node.right)
     return _of_two(w, node.op, *values(w, (node.left, node.right), linear))
 
 
@@ -276,9 +276,10 @@ def _of_two(w: UnitWriter, op: str, left: Value, right: Value) -> Value:
     return combined(op, left, right, w.program.environment.loops.compared, w.program.report)
 
 
-def _either(w: UnitWriter, op: str, left: nodes.Expr, right: nodes.Expr) -> Value:
+def _either(w: UnitWriter, op: str, left: Value, right: nodes.Expr) -> Value:
     """And and Or leave out the right side if the left one decides."""
-    first = condition(w, left)
+    w.nonlinear |= left.sum_of
+    first = left.holds
     if not w.calls(right):
         second = condition(w, right)
         if op == "And":
@@ -307,7 +308,7 @@ def _chain(w: UnitWriter, node: nodes.Chain) -> Value:
     found = linear(w, node.first)
     for number, link in enumerate(node.links, 1):
         if link.op in ("And", "Or"):
-            found = _either_of(w, link.op, found, link.value)
+            found = _either(w, link.op, found, link.value)
         else:
             if w.calls(link.value):
                 found = stored(w, found)
@@ -315,26 +316,6 @@ def _chain(w: UnitWriter, node: nodes.Chain) -> Value:
         if number % LINKS == 0 and number < len(node.links):
             found = stored(w, found)
     return found
-
-
-def _either_of(w: UnitWriter, op: str, left: Value, node: nodes.Expr) -> Value:
-    first = left.holds
-    w.nonlinear |= left.sum_of
-    if w.calls(node):
-        return _either(w, op, _Done(node, stored(w, left)), node)  # type: ignore[arg-type]
-    second = condition(w, node)
-    if op == "And":
-        return answer(lambda values: first(values) and second(values))
-    return answer(lambda values: first(values) or second(values))
-
-
-class _Done(nodes.Node):
-    """The beginning of a chain, which has been worked out."""
-
-    __slots__ = ("const", "value")
-
-    def __init__(self, node: nodes.Expr, value: Value) -> None:
-        self.start, self.end, self.value, self.const = node.start, node.end, value, None
 
 
 _VALUES: dict[type, Callable[..., Value]] = {
@@ -347,7 +328,6 @@ _VALUES: dict[type, Callable[..., Value]] = {
     nodes.Unary: _unary,
     nodes.Binary: _binary,
     nodes.Chain: _chain,
-    _Done: lambda w, node: node.value,
 }
 
 

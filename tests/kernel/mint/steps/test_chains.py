@@ -16,6 +16,7 @@ from motionlang.kernel import Run, Source, dialect, run
 # More operands than Python's stack has frames.
 LENGTH = 1500
 HEAD = "Dim a As Integer, f As Float\n"
+COUNTED = "\nFunction Counted(k As Integer) As Integer\na = a + 1\nCounted = k\nEnd Function"
 # A condition that is true by its last operand alone, and one that is false by it alone.
 ANY = " Or ".join([*(f"a = {n}" for n in range(1, LENGTH)), "a = 0"])
 ALL = " And ".join([*(f"a <> {n}" for n in range(1, LENGTH)), "a <> 0"])
@@ -34,6 +35,9 @@ CHAINS = {
     "Or": (f"If {ANY} Then PRINT 5", "5"),
     "And": (f"If {ALL} Then PRINT 5 Else PRINT 6", "6"),
     "Or of And": ("If " + " Or ".join(f"a = {n} And a < 9" for n in range(LENGTH, -1, -1)) + " Then PRINT 5", "5"),
+    # The first call that is not 0 decides an Or, and the first that is 0 an And.
+    "Or of calls": (f"If {' Or '.join(f'Counted({n} > 79)' for n in range(150))} Then PRINT a{COUNTED}", "81"),
+    "And of calls": (f"If {' And '.join(f'Counted({n} < 79)' for n in range(150))} Then End\nPRINT a{COUNTED}", "80"),
     # 1501 times true, an odd number of them.
     "Xor": ("PRINT 0" + " Xor a = 0" * (LENGTH + 1), "1"),
     "While": ("While a < 7 And " + " And ".join(["a <> 9"] * LENGTH) + "\na = a + 1\nEnd While\nPRINT a", "7"),
