@@ -52,7 +52,9 @@ class Memory:
         for p, point in enumerate(self._graph.points):
             self._at[point.at] |= needed[p]
         self._shared = {
-            bit: n for (call, n), bit in self._bits.items() if not call and n < MAX_SHARED and not bit & counting
+            bit: n
+            for (call, n), bit in self._bits.items()
+            if not call and n < MAX_SHARED and not bit & counting
         }
 
     def variables(self, offsets: Iterable[int]) -> list[int]:
@@ -161,9 +163,10 @@ class Memory:
         macros = [unit.entry for unit in self._structure.units if unit.kind == "macro"]
         for p, point in enumerate(points):
             # A register that a program computes may call any macro.
-            for called in ([point.calls] if point.calls >= 0 else macros) if point.kind in (CALL, ENTER) else ():
-                following[p].append(called)
-                behind[lists.get(called, "")] += point.next
+            called = [point.calls] if point.calls >= 0 else macros
+            for entry in called if point.kind in (CALL, ENTER) else ():
+                following[p].append(entry)
+                behind[lists.get(entry, "")] += point.next
         for p, point in enumerate(points):
             if point.kind == RETURN or not following[p]:
                 following[p] += behind.get(lists.get(p, ""), ())
