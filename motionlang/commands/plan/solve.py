@@ -10,11 +10,8 @@ from collections.abc import Callable
 from math import inf, isnan, sqrt
 
 NAMES = ("distance", "time", "accel_time", "slew_time", "decel_time", "speed", "accel", "decel")
+# Share of the total time for the acceleration and for the deceleration. For "equal" T_a = T_d, with any share.
 RULES = {"third": 1.0 / 3.0, "quarter": 1.0 / 4.0, "equal": 0.0}
-"""Share of the total time for the acceleration and for the deceleration.
-
-For "equal" T_a = T_d, with any share.
-"""
 _TOO_LARGE = 1e300  # leaves sums and small multiples finite
 
 

@@ -47,10 +47,10 @@ if TYPE_CHECKING:
 Row = dict[str, Any]
 
 SCRIPTS = ("model", "panels", "draw", "path", "tools", "script")
+# The largest number of records on a page: moves, waits, events, channel changes.
 MAX_RECORDS = 200_000
-"""The largest number of records on a page: moves, waits, events, channel changes."""
+# The largest number of characters of a program line shown next to the cursor.
 MAX_LINE = 120
-"""The largest number of characters of a program line shown next to the cursor."""
 # A shorter block of the critical path, s, is only a rounding error.
 SHORTEST = 1e-12
 

@@ -8,13 +8,13 @@ from math import inf
 from motionlang.kernel.planners.curve import MotionState, Profile
 from motionlang.kernel.planners.ramps import Curve, Piece
 
+# How far a piece may be off in its middle, as a share of the size of the motion.
 FIT = 1e-9
-"""How far a piece may be off in its middle, as a share of the size of the motion."""
 _DEPTH = 10
+# Distance inside a piece, as a fraction, at which its ends are sampled.
 _ASIDE = 1e-6
-"""Distance inside a piece, as a fraction, at which its ends are sampled."""
+# Seconds too few to divide by the square of.
 MOMENT = 1e-100
-"""Seconds too few to divide by the square of."""
 
 
 def cubics(profile: Profile) -> Curve:

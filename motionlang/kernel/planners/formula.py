@@ -16,14 +16,14 @@ from motionlang.kernel.planners.curve import MotionState, Phase, Profile
 from motionlang.kernel.planners.ramps import Curve
 from motionlang.kernel.planners.root import bracketed_root
 
+# Brackets between two knots; two extrema inside one bracket would be missed.
 STEPS = 24
-"""Brackets between two knots; two extrema inside one bracket would be missed."""
 
+# Brackets for a peak, which is broad and is refined afterwards.
 PEAK_STEPS = 8
-"""Brackets for a peak, which is broad and is refined afterwards."""
 
+# Share of the highest grid value from which a neighbouring peak is refined.
 PEAK_SHARE = 0.9
-"""Share of the highest grid value from which a neighbouring peak is refined."""
 
 
 class FormulaProfile(Profile):

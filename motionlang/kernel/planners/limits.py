@@ -4,15 +4,12 @@ from __future__ import annotations
 
 from math import inf, isfinite, isnan
 
+# A velocity this small is rest: the ramp from it would underflow.
 STILL = 1e-60
-"""A velocity this small is rest: the ramp from it would underflow."""
 
 
+# Bounds of speeds, rates, jerks and times. Their squares and quotients then stay in the range of a float.
 SMALLEST, LARGEST = 1e-60, 1e60
-"""Bounds of speeds, rates, jerks and times.
-
-Their squares and quotients then stay in the range of a float.
-"""
 
 
 def check_positive(**quantities: float) -> None:

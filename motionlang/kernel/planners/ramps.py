@@ -20,21 +20,15 @@ Recipe = tuple[float, ...]
 Piece = tuple[float, float, float, float, float, float, float]
 Curve = tuple[tuple[float, ...], tuple[Piece, ...], tuple[tuple[str, int], ...]]
 
+# Acceleration A sin(pi t/T): TN1069's sinusoidal S-curve.
 SINE = -1.0
-"""Acceleration A sin(pi t/T): TN1069's sinusoidal S-curve."""
+# Acceleration falling linearly from its peak to zero (TN1069, parabolic). It speeds up.
 FALLING = -2.0
-"""Acceleration falling linearly from its peak to zero (TN1069, parabolic).
-
-It speeds up.
-"""
+# Acceleration growing linearly from zero to its peak, to slow down.
 RISING = -3.0
-"""Acceleration growing linearly from zero to its peak, to slow down."""
 
+# Durations, s, too short to divide by their square. Ramps this short, or below the clock's resolution, are left out.
 MOMENT = 1e-100
-"""Durations, s, too short to divide by their square.
-
-Ramps this short, or below the clock's resolution, are left out.
-"""
 
 
 def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> float:

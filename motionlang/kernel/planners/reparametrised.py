@@ -23,11 +23,8 @@ _MAX_CACHED = 32
 # Fractions of a duration by which two crossings at an extremum may differ, and by which one may be inexact.
 _EXTREMUM = 1e-7
 _ROUNDING = 1e-14
+# Fraction of a curve by which rounding may exceed its end. The curvature of the curve applies that far.
 AT_END = 1e-9
-"""Fraction of a curve by which rounding may exceed its end.
-
-The curvature of the curve applies that far.
-"""
 
 
 class Reparametrised(FormulaProfile):

@@ -23,8 +23,8 @@ class Chosen:
 
     loop: Loop
     gains: str
+    # The bandwidth that they were suggested for, Hz.
     bandwidth: float = 0.0
-    """The bandwidth that they were suggested for, Hz."""
 
 
 def axis_loop(

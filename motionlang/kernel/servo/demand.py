@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+# The last cycle of an endless profile.
 FOR_EVER = 1 << 62
-"""The last cycle of an endless profile."""
 _JUMP = 1e-6
 _AT_ONCE = 1e-9
 

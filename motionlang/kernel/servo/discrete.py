@@ -18,11 +18,11 @@ Row = tuple[float, float, float, float, float, float, float]
 # The values of `STATES`.
 Motion = tuple[float, float, float, float, float]
 
+# Counts, counts/s, A, counts (motor minus load), counts/s.
 STATES = ("position", "velocity", "current", "twist", "load_velocity")
-"""Counts, counts/s, A, counts (motor minus load), counts/s."""
 _OUTPUT, _ONE = len(STATES), len(STATES) + 1
+# Friction: the direction of the motor, 0 while it sticks.
 SLIDING_UP, STUCK, SLIDING_DOWN = 1, 0, -1
-"""Friction: the direction of the motor, 0 while it sticks."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,11 +16,11 @@ from motionlang.kernel.servo.loop import FULL_SCALE, Loop
 # The value of a gain and the keyword that set it, by its quantity.
 Gains = Mapping[str, tuple[float, str]]
 
+# DAC steps for full scale in Mint's servo loop.
 MINT_STEPS = 2048.0
-"""DAC steps for full scale in Mint's servo loop."""
 MINT_STEP = FULL_SCALE / MINT_STEPS
+# Hz: one sample every 2048 clocks of 6 MHz, 341 microseconds.
 LM628_RATE = 6e6 / 2048.0
-"""Hz: one sample every 2048 clocks of 6 MHz, 341 microseconds."""
 # The servo models of MCCL's boards.
 MODELS = ("multiflex", "dcx")
 # The initial gains of a language, by the quantity of the loop that each sets, in the units of the language:

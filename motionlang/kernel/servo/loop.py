@@ -19,6 +19,7 @@ INTEGRAL_MODES: dict[str, str] = {
     "stopped": "The integral acts at zero demanded speed and is frozen in motion (KINTMODE 3; PMC's second mode).",
     "zeroed": "As stopped, and cleared when motion begins (PMC's third mode).",
 }
+# Gains; at least one must be set for a nonzero output.
 GAINS = (
     "proportional",
     "integral",
@@ -28,11 +29,10 @@ GAINS = (
     "accel_ff",
     "decel_ff",
 )
-"""Gains; at least one must be set for a nonzero output."""
+# Volts at the end of the DAC's range.
 FULL_SCALE = 10.0
-"""Volts at the end of the DAC's range."""
+# Bits of the integer forms' words, and of the finest DAC.
 FINE_BITS = 16
-"""Bits of the integer forms' words, and of the finest DAC."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,8 +16,8 @@ from motionlang.kernel.servo.trace import ServoTrace, joined
 # profile in force.
 Change = tuple[float, Loop | float | int]
 
+# Samples that are run at once.
 BLOCK = 1 << 13
-"""Samples that are run at once."""
 
 
 def apply(servo: Servo, change: Change) -> None:

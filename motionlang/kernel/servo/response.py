@@ -25,8 +25,8 @@ Array = NDArray[np.float64]
 
 Complex = NDArray[np.complex128]
 
+# -3 dB.
 DROP = 10.0 ** (-3.0 / 20.0)
-"""-3 dB."""
 SETTLING = 0.02
 LOW, HIGH = 0.1, 0.9
 _POINTS = 2000
@@ -71,8 +71,8 @@ class LoopFigures:
     crossover: float
     phase_margin: float
     gain_margin: float
+    # Largest closed-loop gain.
     peak: float
-    """Largest closed-loop gain."""
 
 
 def step_response(loop: Loop, plant: Motor | VelocityDrive, size: float, seconds: float) -> ServoTrace:

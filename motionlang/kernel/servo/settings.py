@@ -33,8 +33,8 @@ class Key:
     low: float = -inf
     high: float = inf
     choices: tuple[str, ...] = ()
+    # True if `low` itself is excluded.
     exclusive: bool = False
-    """True if `low` itself is excluded."""
 
 
 def _positive(default: float, text: str) -> Key:
@@ -131,11 +131,11 @@ SERVO: dict[str, Key] = {
     "override_hold": Key("count", 1, "DAC override: the number of updates that the DAC is held.", 1, 100_000),
     "override_speed": _positive(100_000.0, "DAC override: speed at full scale, counts/s."),
 }
+# Every key as spelt in the machine file, with N for the axis.
 KEYS: dict[str, Key] = {
     **{f"axis.N.plant.{name}": key for name, key in PLANT.items()},
     **{f"axis.N.servo.{name}": key for name, key in SERVO.items()},
 }
-"""Every key as spelt in the machine file, with N for the axis."""
 
 
 def problem(key: Key, value: object) -> str | None:

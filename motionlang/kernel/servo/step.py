@@ -17,12 +17,12 @@ from motionlang.kernel.servo.discrete import Motion, discretise
 from motionlang.kernel.servo.loop import FINE_BITS, Loop
 from motionlang.kernel.servo.plant import Motor, VelocityDrive
 
+# The readings of a sample: counts, counts, counts, counts/s, A, V, V; in motor coordinates, at its measurement.
 COLUMNS = ("demand", "measured", "position", "velocity", "current", "integral", "output")
-"""The readings of a sample: counts, counts, counts, counts/s, A, V, V; in motor coordinates, at its measurement."""
 Reading = tuple[float, float, float, float, float, float, float]
 
+# The loop's own state: sum of errors, derivative samples, counters, and the stored DAC value.
 MEMORY = ("total", "last_error", "change", "last_measured", "derivative_wait", "hold_wait", "held")
-"""The loop's own state: sum of errors, derivative samples, counters, and the stored DAC value."""
 Memory = tuple[float, float, float, float, int, int, float]
 State = tuple[Motion, Memory]
 

@@ -16,6 +16,7 @@ from motionlang.kernel.servo.step import COLUMNS, Reading
 
 Array = NDArray[np.float64]
 
+# Every column of a trace, and its unit.
 UNITS = {
     "time": "s",
     "demand": "counts",
@@ -29,7 +30,6 @@ UNITS = {
     "acceleration": "counts/s^2",
     "jerk": "counts/s^3",
 }
-"""Every column of a trace, and its unit."""
 
 
 def columns_of(readings: Sequence[Reading]) -> Array:

@@ -15,8 +15,8 @@ from motionlang.kernel.servo.loop import Loop
 from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.response import LoopFigures, bandwidth, is_stable, loop_figures, reaches
 
+# A phase margin below this many degrees causes a warning.
 SUSPECT = 30.0
-"""A phase margin below this many degrees causes a warning."""
 # The relative accuracy of the pole frequency.
 _SAME = 1e-12
 

@@ -44,8 +44,8 @@ class Settings:
     bits: int = 12
 
 
+# A move that accelerates by 1 count per update every fourth update, with an override of 32 steps.
 EXAMPLE = Settings(20_000, 50, 1, 40, kd=80, hold=4, max_steps=32)
-"""A move that accelerates by 1 count per update every fourth update, with an override of 32 steps."""
 
 
 class Listing:
@@ -145,8 +145,8 @@ class ListingRun:
     position: Sequence[float]
     velocity: Sequence[float]
     dac: Sequence[int]
+    # Acceleration just after a change of the DAC, counts per update².
     onset: Sequence[float]
-    """Acceleration just after a change of the DAC, counts per update²."""
 
     @property
     def peak_onset(self) -> float:

@@ -17,8 +17,8 @@ from motionlang.lab.notes.slip import check_trace
 if TYPE_CHECKING:
     from motionlang.kernel.servo import ServoTrace
 
+# Counts per second at full scale: the encoder of the example.
 FULL_COUNTS = 100_000.0
-"""Counts per second at full scale: the encoder of the example."""
 UPDATE = 1.0 / 4000.0
 REST = 0.5
 _CRUISE = 0.95

@@ -13,20 +13,18 @@ from typing import NamedTuple
 
 from motionlang.kernel.planners import check_positive
 
+# Steel on steel, dry, in the chapter's example.
 FRICTION = 0.1
-"""Steel on steel, dry, in the chapter's example."""
+# ft/s², as the chapter has it.
 GRAVITY_FT = 32.2
-"""ft/s², as the chapter has it."""
 WEIGHT_LB = 5.0
 SPEED_FT_MIN = 100.0
 BITS = 12
+# Minimum of the motor's electrical time constant, as a share of a step's time. One step is the shortest time that a DAC
+# step may take.
 ELECTRICAL_SHARE = 2.0 / 3.0
-"""Minimum of the motor's electrical time constant, as a share of a step's time.
-
-One step is the shortest time that a DAC step may take.
-"""
+# Electrical time constants for which a DAC step is to be held.
 HOLD_TIME_CONSTANTS = 5.0
-"""Electrical time constants for which a DAC step is to be held."""
 
 ERRATA = (
     "The fractions of the slip example are inverted in the scan: (5)(0.1) = (5/32.2)(A) gives A = 3.22 ft/s², "

@@ -18,16 +18,17 @@ from motionlang.lab.notes.dissect import (
     slip_acceleration,
 )
 
+# ft/s², the acceleration at which the cube slips.
 LIMIT = slip_acceleration(FRICTION, GRAVITY_FT)
-"""ft/s², the acceleration at which the cube slips."""
+# ft/s
 SPEED = SPEED_FT_MIN / 60.0
-"""ft/s"""
+# In ft: far enough for both profiles of the cube to reach their speed.
 DISTANCE = 2.0
-"""In ft: far enough for both profiles of the cube to reach their speed."""
+# Changes of the DAC in figure 12.6, steps.
 CHANGES = (1, 2, 1)
-"""Changes of the DAC in figure 12.6, steps."""
+# Time constants of the curves of figure 12.6, in updates.
 TIME_CONSTANTS = {"C": 1.0 / 5.0, "D to G": 2.0 / 3.0, "whole": 1.0}
-"""Time constants of the curves of figure 12.6, in updates."""
+# The chain of figure 12.11: each block with what it does.
 BLOCKS = (
     ("host", "moves, settings"),
     ("trajectory", "velocity += accel\nposition += velocity"),
@@ -38,7 +39,6 @@ BLOCKS = (
     ("amplifier", "volts to current"),
     ("motor + load", "slips beyond μ g"),
 )
-"""The chain of figure 12.11: each block with what it does."""
 TITLES = {
     "12.1": "Relationship of acceleration and velocity profiles",
     "12.2": "What is the maximum acceleration before the product will slip?",

@@ -43,8 +43,8 @@ class Slip:
         return 1.0 - self.peak / self.limit
 
 
+# An acceleration planned at exactly the limit does not exceed it.
 _EPSILON = 1e-9
-"""An acceleration planned at exactly the limit does not exceed it."""
 
 
 def check_profile(profile: Profile, friction: float, gravity: float, scale: float = 1.0) -> Slip:

@@ -10,29 +10,29 @@ from dataclasses import dataclass
 
 from motionlang.kernel.planners import Profile, plan
 
+# counts/s^2
 ACCELERATION = 100_000.0
-"""counts/s^2"""
+# counts/s
 VELOCITY = 40_000.0
-"""counts/s"""
+# counts
 DISTANCE = 40_000.0
-"""counts"""
+# Trajectory cycles per second; the note states its times in cycles.
 CYCLES = 1000.0
-"""Trajectory cycles per second; the note states its times in cycles."""
 
+# T_1 / T_A of the trapezoidal S-curve.
 RAMP = 0.1
-"""T_1 / T_A of the trapezoidal S-curve."""
+# Upper bound of the figures of a demand, so that each of their squares is finite.
 LARGEST = 1e100
-"""Upper bound of the figures of a demand, so that each of their squares is finite."""
 
 COLUMNS = ("trapezoidal", "sinusoidal", "trapezoidal 0.1", "parabolic")
 
+# The table on the note's last page.
 PRINTED = {
     "T_A": (400.0, 628.0, 444.0, 800.0),
     "S_A": (8000.0, 12560.0, 8880.0, 10667.0),
     "S_V": (24000.0, 14880.0, 22240.0, 18667.0),
     "T_V": (600.0, 372.0, 556.0, 467.0),
 }
-"""The table on the note's last page."""
 
 ERRATA = (
     "The printed T_A of the trapezoidal S-curve, (1/RAMP) VEL/ACC, contradicts the printed 444: "

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
 SHAPES = ("trapezoid", "sinusoidal", "scurve", "parabolic")
 BASES = ("acceleration", "time")
+# Seconds that are simulated after the move.
 REST = 0.5
-"""Seconds that are simulated after the move."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -26,12 +26,12 @@ Indices = NDArray[np.int64]
 
 MILLISECOND = 0.001
 MAX_SEGMENT_MS = 255
+# Points per millisecond at which a candidate segment is compared with the motion.
 FINE = 4
-"""Points per millisecond at which a candidate segment is compared with the motion."""
+# Points per millisecond at which the finished fit is measured.
 FINER = 20
-"""Points per millisecond at which the finished fit is measured."""
+# Longest motion, s, that is fitted; more candidates would exhaust the memory.
 MAX_SPAN = 3600.0
-"""Longest motion, s, that is fitted; more candidates would exhaust the memory."""
 ATTEMPTS = 4
 
 

@@ -14,8 +14,8 @@ from motionlang.kernel.planners import Profile, acceleration_in, jerk_in, plan_p
 from motionlang.kernel.tools import total
 
 MAX_SEGMENT = 0.255
+# The longest segment of a Copley drive, s: eight bits of milliseconds.
 GRID = 0.001
-"""The longest segment of a Copley drive, s: eight bits of milliseconds."""
 
 MAX_POINTS = 1_000_000
 

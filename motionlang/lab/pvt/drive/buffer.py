@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from motionlang.lab.pvt.drive.packet import OVERFLOW, BufferStatus
 from motionlang.lab.pvt.drive.point import WirePoint
 
+# Capacity of the buffer in points; the note promises no more.
 SIZE = 32
-"""Capacity of the buffer in points; the note promises no more."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,8 +18,8 @@ from motionlang.lab.pvt.drive.drive import Drive
 from motionlang.lab.pvt.drive.node import DriveNode
 
 VIRTUAL = "virtual"
+# Seconds that a master waits for a message of a real drive before it polls again.
 NEWS_TIMEOUT = 0.05
-"""Seconds that a master waits for a message of a real drive before it polls again."""
 _CHANNELS = itertools.count(1)
 
 

@@ -16,12 +16,12 @@ from motionlang.lab.pvt.drive.point import WirePoint
 
 IDLE, WAITING, MOVING, STOPPING = "idle", "waiting", "moving", "stopping"
 
+# Servo period in microseconds; sub-mode 0 adjusts its times by one of them.
 SERVO_PERIOD = 250
-"""Servo period in microseconds; sub-mode 0 adjusts its times by one of them."""
+# Points that sub-mode 0 needs before it moves, and aims to keep in the buffer.
 START_POINTS = 3
-"""Points that sub-mode 0 needs before it moves, and aims to keep in the buffer."""
+# Deceleration of an aborted move, counts/s².
 ABORT_DECELERATION = 1_000_000.0
-"""Deceleration of an aborted move, counts/s²."""
 
 
 class Drive:

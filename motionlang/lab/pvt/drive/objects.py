@@ -28,8 +28,8 @@ from motionlang.lab.pvt.drive.point import MAX_TIME
 from motionlang.lab.pvt.drive.states import DISABLED, ENABLED, FAULT, QUICK_STOP, RESET, STATUS, next_state
 from motionlang.lab.pvt.drive.switches import Switches
 
+# Mode of operation (object 0x6060) in which the drive accepts PVT points.
 INTERPOLATED_POSITION = 7
-"""Mode of operation (object 0x6060) in which the drive accepts PVT points."""
 MODES = (PROFILE_POSITION, PROFILE_VELOCITY, HOMING, INTERPOLATED_POSITION)
 # Object 0x6502 has bit n - 1 for mode n.
 SUPPORTED = sum(1 << mode - 1 for mode in MODES)

@@ -32,8 +32,8 @@ COMMANDS: dict[int, str] = {
 SEQUENCE, OVERFLOW, UNDERFLOW = 1, 2, 4
 ERRORS: dict[int, str] = {SEQUENCE: "sequence error", OVERFLOW: "overflow", UNDERFLOW: "underflow"}
 
+# Tenths of a count per second in the coarse velocity unit of 10 counts/s.
 COARSE = 100
-"""Tenths of a count per second in the coarse velocity unit of 10 counts/s."""
 INT24 = range(-(2**23), 2**23)
 
 

@@ -8,8 +8,8 @@ from math import isfinite, isnan
 
 from motionlang.lab.pvt.points import Point
 
+# The largest time in milliseconds, from the eight bits of its field.
 MAX_TIME = 255
-"""The largest time in milliseconds, from the eight bits of its field."""
 INT32 = range(-(2**31), 2**31)
 
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from motionlang.lab.pvt.drive.point import INT32, MAX_TIME, WirePoint
 
 PARAMETER = 0x115
+# The op-code of the start-move command.
 START_OPCODE = 17
-"""The op-code of the start-move command."""
 TRAJECTORY_PARAMETER = 0xC8
+# The value that parameter 0xC8 must have for PVT interpolation.
 PVT_CONFIGURATION = 3
-"""The value that parameter 0xC8 must have for PVT interpolation."""
 
 TIME_BITS = 0x00FF
 RELATIVE_BIT = 1 << 12
