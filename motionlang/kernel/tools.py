@@ -1,4 +1,4 @@
-"""Small tools of every subpackage: spellings, plurals, missing libraries, exact sums, space on Python's stack.
+"""Small tools of every subpackage: spellings, plurals, missing libraries, exact sums, bisection, space on the stack.
 
 `MissingExtra` is raised for a feature whose library is not installed. `total` is for results that do not depend on the
 Python version: the builtin `sum` rounds differently from Python 3.12 on.
@@ -7,7 +7,7 @@ Python version: the builtin `sum` rounds differently from Python 3.12 on.
 from __future__ import annotations
 
 from _thread import allocate_lock
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from difflib import get_close_matches
 from importlib import import_module
 from math import fsum
@@ -16,6 +16,8 @@ from traceback import walk_stack
 
 # Maximum characters of a value in a message.
 _MAX_SHOWN = 60
+# More halvings than lie between any two floats and neighbours.
+TO_NEIGHBOURS = 2200
 
 
 def in_notebook(kind: str, *values: object) -> str:
@@ -233,6 +235,18 @@ def exact_terms(values: Iterable[float]) -> list[float]:
         terms.append(term)
         rest.append(-term)
     return terms
+
+
+def bisected(
+    good: float, bad: float, is_good: Callable[[float], object], halvings: int = TO_NEIGHBOURS
+) -> float:
+    """Return the good value next to a bad one: the two become neighbouring floats, or so many halvings are over."""
+    for _ in range(halvings):
+        middle = 0.5 * (good + bad)
+        if middle in (good, bad):
+            break
+        good, bad = (middle, bad) if is_good(middle) else (good, middle)
+    return good
 
 
 # Frames for passes over the nested text of a program, and for the functions that the deepest statement calls.

@@ -8,7 +8,7 @@ its extremes are exact to a millionth of its amplitude.
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 
 from motionlang.kernel import Axis, Run, WholeTrack
 from motionlang.kernel.planners import PieceTable, piece_values
+from motionlang.kernel.tools import bisected
 
 Array = NDArray[np.float64]
 
-# The parts of a sine, and bisections to find the time of a divergence.
-WAVE, HALVINGS = 8, 40
+# The parts of a sine.
+WAVE = 8
 # The relative rounding of a position; a hundredth of it, by which a table of pieces may differ in addition; and how far
 # the cubics of a formula may be off.
 ROUNDING, TABLE, FORMULA = 1e-9, 1e-11, 1e-7
@@ -75,7 +76,8 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | Non
         if first is None:
             for k in apart_enough:
                 if apart(times[k]) > tolerance:
-                    first = _moment(apart, times[k - 1] if k else before, times[k], tolerance)
+                    near = times[k - 1] if k else before
+                    first = bisected(times[k], near, lambda time: apart(time) > tolerance)
                     break
         for k in far:
             distance = apart(times[k])
@@ -160,13 +162,3 @@ def _edges(a: Axis, b: Axis, end: float) -> list[float]:
     same = max(same - 1, 0)
     starts = sorted({*list(tracks[0].starts)[same:], *list(tracks[1].starts)[same:], end})
     return starts[: bisect_right(starts, end)]
-
-
-def _moment(apart: Callable[[float], float], low: float, high: float, tolerance: float) -> float:
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        if apart(middle) > tolerance:
-            high = middle
-        else:
-            low = middle
-    return high

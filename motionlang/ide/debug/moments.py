@@ -19,6 +19,7 @@ from typing import Any
 from motionlang.ide.debug.expressions import Expression, WrongExpression, parse
 from motionlang.kernel import INFINITY, Machine, WholeTrack
 from motionlang.kernel.log import Changed, Switched
+from motionlang.kernel.tools import bisected
 
 # Yields the moments after one time up to another.
 Search = Callable[[Machine, float, float], Iterable["Occurrence"]]
@@ -251,13 +252,7 @@ def _becomes_true(
     for time in _samples(machine, after, until):
         now = holds(time)
         if now and not was_true:
-            low, high = before, time
-            while high - low > RESOLUTION:
-                middle = 0.5 * (low + high)
-                if not low < middle < high:
-                    break
-                low, high = (low, middle) if holds(middle) else (middle, high)
-            yield Occurrence(high, f"{text.strip()} holds")
+            yield Occurrence(bisected(time, before, holds), f"{text.strip()} holds")
         before, was_true = time, now
 
 

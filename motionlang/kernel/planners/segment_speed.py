@@ -11,6 +11,7 @@ from math import copysign, sqrt
 from motionlang.kernel.planners.ramps import ramp_distance
 from motionlang.kernel.planners.shapes import JerkRamps, Ramps
 from motionlang.kernel.planners.transition import Steps, distance_of_steps, eased_speed, initial_steps
+from motionlang.kernel.tools import bisected
 
 # Initial speed, time, kind, final speed.
 Ramp = tuple[float, float, float, float]
@@ -152,8 +153,4 @@ def _farthest(low: float, high: float, beyond: Callable[[float], float]) -> floa
             low, under, over, stays = x, found, over * (0.5 if stays > 0.0 else 1.0), 1.0
         else:
             high, over, under, stays = x, found, under * (0.5 if stays < 0.0 else 1.0), -1.0
-    while True:
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            return low
-        low, high = (middle, high) if beyond(middle) <= 0.0 else (low, middle)
+    return bisected(low, high, lambda x: beyond(x) <= 0.0)

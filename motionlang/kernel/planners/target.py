@@ -48,7 +48,7 @@ from motionlang.kernel.planners.transition import (
     initial_steps,
     profile_of_steps,
 )
-from motionlang.kernel.tools import total
+from motionlang.kernel.tools import bisected, total
 
 # The fraction of a distance that is too large to be the rounding of its sum.
 _COARSE = 1e-11
@@ -180,15 +180,7 @@ def _braked(ramps: Ramps, size: float, speed: float, u: float) -> float:
     """
     if _up_and_down(ramps, size, u, speed)[2] >= 0.0:
         return speed
-    low, high = speed, u
-    while True:
-        v = 0.5 * (low + high)
-        if v in (low, high):
-            return high
-        if _up_and_down(ramps, size, u, v)[2] >= 0.0:
-            high = v
-        else:
-            low = v
+    return bisected(u, speed, lambda v: _up_and_down(ramps, size, u, v)[2] >= 0.0)
 
 
 def _from_acceleration(

@@ -5,6 +5,7 @@ All but the step response need a linear pair.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import inf, pi
@@ -20,6 +21,7 @@ from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.servo import Servo
 from motionlang.kernel.servo.step import MEMORY, LoopStep, State, at_rest
 from motionlang.kernel.servo.trace import ServoTrace
+from motionlang.kernel.tools import bisected
 
 Array = NDArray[np.float64]
 
@@ -233,7 +235,7 @@ def _bandwidth(loop: Loop, plant: Motor | VelocityDrive, target: float | None) -
         matrix[diagonal, diagonal] += np.exp(2j * pi * w * loop.period)
         return float(abs(np.linalg.solve(matrix, driven)[:, 0] @ c))
 
-    return _bisect(exact, low, high, DROP)
+    return bisected(low, high, lambda w: exact(w) >= DROP)
 
 
 @lru_cache(maxsize=8)
@@ -278,40 +280,27 @@ def _open(f: Array, g: Array, c: Array, frequency: float, period: float) -> comp
     return closed / (1.0 - closed)
 
 
-def _first_fall(grid: Array, gain: Array, exact: object) -> float:
+def _first_fall(grid: Array, gain: Array, exact: Callable[[float], float]) -> float:
     """Return the first frequency at which the gain is below `DROP`."""
     below = np.flatnonzero(gain < DROP)
     if not len(below) or below[0] == 0:
         return float(grid[-1]) if not len(below) else 0.0
-    return _bisect(exact, float(grid[below[0] - 1]), float(grid[below[0]]), DROP)
+    return bisected(float(grid[below[0] - 1]), float(grid[below[0]]), lambda w: exact(w) >= DROP)
 
 
-def _last_fall(grid: Array, gain: Array, exact: object) -> float:
+def _last_fall(grid: Array, gain: Array, exact: Callable[[float], float]) -> float:
     """Return the highest frequency at which the gain falls through 1."""
     falls = np.flatnonzero((gain[:-1] >= 1.0) & (gain[1:] < 1.0))
-    return _bisect(exact, float(grid[falls[-1]]), float(grid[falls[-1] + 1]), 1.0) if len(falls) else 0.0
+    if not len(falls):
+        return 0.0
+    return bisected(float(grid[falls[-1]]), float(grid[falls[-1] + 1]), lambda w: exact(w) >= 1.0)
 
 
-def _gain_margin(grid: Array, ring: Complex, exact: object) -> float:
+def _gain_margin(grid: Array, ring: Complex, exact: Callable[[float], complex]) -> float:
     """Return the gain margin, at the first frequency with a phase of -180 degrees."""
-    assert callable(exact)
     above = (ring.imag[:-1] < 0.0) & (ring.imag[1:] >= 0.0) & (ring.real[:-1] < 0.0)
     margins = []
     for i in np.flatnonzero(above):
-        w = _bisect(lambda x: -complex(exact(x)).imag, float(grid[i]), float(grid[i + 1]), 0.0)
+        w = bisected(float(grid[i]), float(grid[i + 1]), lambda x: exact(x).imag <= 0.0)
         margins.append(1.0 / abs(exact(w)))
     return min((m for m in margins if m > 1.0), default=inf)
-
-
-def _bisect(value: object, low: float, high: float, level: float) -> float:
-    """Return where a falling function passes `level`."""
-    assert callable(value)
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        if middle in (low, high):
-            break  # neighbouring floats
-        if value(middle) >= level:
-            low = middle
-        else:
-            high = middle
-    return 0.5 * (low + high)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.planners import Profile, hold, jerk_in, plan
 from motionlang.kernel.servo import Loop, Motor, Track, VelocityDrive, simulate
+from motionlang.kernel.tools import bisected
 
 if TYPE_CHECKING:
     from motionlang.kernel.servo import ServoTrace
@@ -93,12 +94,7 @@ def accel_for(shape: str, distance: float, speed: float, time: float, ramp: floa
     low = high = distance / (time * time)
     while duration(high) > time:
         high *= 2.0
-    while low < (middle := 0.5 * (low + high)) < high:
-        if duration(middle) > time:
-            low = middle
-        else:
-            high = middle
-    return high
+    return bisected(high, low, lambda acceleration: duration(acceleration) <= time)
 
 
 def peak_jerk(profile: Profile) -> float:

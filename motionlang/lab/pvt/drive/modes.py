@@ -24,6 +24,7 @@ from functools import partial
 from math import copysign, inf
 
 from motionlang.kernel.planners import Profile, plan_stop, plan_trapezoid, plan_velocity
+from motionlang.kernel.tools import bisected
 from motionlang.lab.pvt.drive.drive import IDLE, Drive
 from motionlang.lab.pvt.drive.switches import Switches
 
@@ -342,13 +343,7 @@ def crossing(profile: Profile, position: float) -> float:
         return float(ramps + (position - profile.position(ramps)) / profile.end_velocity)
     low, high = 0.0, ramps if profile.duration == inf else profile.duration
     upwards = profile.position(high) > position
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        if (profile.position(middle) > position) is upwards:
-            high = middle
-        else:
-            low = middle
-    return high
+    return bisected(high, low, lambda time: (profile.position(time) > position) is upwards)
 
 
 def _nothing() -> None:
