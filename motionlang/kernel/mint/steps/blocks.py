@@ -60,7 +60,7 @@ def select(w: UnitWriter, node: nodes.Select, block: Block) -> None:
     tests = [(each.value, each.high) for case in node.cases for each in case.tests]
     w.settle(node.subject, *[side for both in tests for side in both if side is not None])
     subject = expressions.value(w, node.subject)
-    if any(w.calls(side) for both in tests for side in both if side is not None):
+    if any(w.has_steps(side) for both in tests for side in both if side is not None):
         subject = expressions.stored(w, subject)
     chosen, first = w.new_index(), subject.get
     found = [[_case_test(w, each, chosen) for each in case.tests] for case in node.cases]

@@ -47,7 +47,7 @@ def _arguments(w: UnitWriter, args: list[nodes.Expr], callee: Function) -> list[
     found: list[Get] = []
     for number, (node, parameter) in enumerate(zip(args, callee.parameters, strict=True)):
         get = _argument(w, node, parameter)
-        if any(w.calls(each) for each in args[number + 1 :]):
+        if any(w.has_steps(each) for each in args[number + 1 :]):
             get = expressions.stored(w, Value(get, "argument")).get
         found.append(get)
     return found

@@ -68,7 +68,7 @@ def values(w: UnitWriter, given: Iterable[nodes.Expr], work_out: Callable[..., V
     found, given = [], list(given)
     for index, node in enumerate(given):
         one = work_out(w, node)
-        if one.const is None and any(w.calls(each) for each in given[index + 1 :]):
+        if one.const is None and any(w.has_steps(each) for each in given[index + 1 :]):
             one = stored(w, one)
         found.append(one)
     return found
@@ -280,7 +280,7 @@ def _either(w: UnitWriter, op: str, left: Value, right: nodes.Expr) -> Value:
     """And and Or leave out the right side if the left one decides."""
     w.nonlinear |= left.sum_of
     first = left.holds
-    if not w.calls(right):
+    if not w.has_steps(right):
         second = condition(w, right)
         if op == "And":
             return answer(lambda values: first(values) and second(values))
@@ -310,7 +310,7 @@ def _chain(w: UnitWriter, node: nodes.Chain) -> Value:
         if link.op in ("And", "Or"):
             found = _either(w, link.op, found, link.value)
         else:
-            if w.calls(link.value):
+            if w.has_steps(link.value):
                 found = stored(w, found)
             found = _of_two(w, link.op, found, linear(w, link.value))
         if number % LINKS == 0 and number < len(node.links):

@@ -37,7 +37,7 @@ def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
     line: tuple[int, ...] = ()
     if row.index in ("axes", "axis") or row.group == "motion":
         line = (w.program.line(node.start),)
-    has_calls = w.calls(target)
+    has_calls = w.has_steps(target)
     where = words.indices(w, target, row)
     if row.index == "axes":
         where = [words.together(where)]
@@ -60,7 +60,7 @@ def _unsimulated(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
 
 def _write_to_each(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Write the values one by one: to each axis, or to the only place there is."""
-    has_calls = w.calls(node)
+    has_calls = w.has_steps(node)
     if has_calls:
         w.settle(node)
     where = _where(w, target, row)
@@ -188,7 +188,7 @@ def _write_to_defaults(w: UnitWriter, node: nodes.Assign, target: nodes.Name, ro
 
 def _path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Write `VECTORA(0, 1) = 10, 20` and `CIRCLER(0, 1) = 10, 0, 90`: one move of several axes."""
-    if w.calls(node):
+    if w.has_steps(node):
         w.settle(node)
     given = [_given(w, each, row) for each in node.values]
     axes = words.together(words.indices(w, target, row))

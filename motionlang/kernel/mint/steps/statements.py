@@ -155,7 +155,7 @@ def _begin_call(w: UnitWriter, node: nodes.Assign | nodes.Call) -> int | None:
     In a loop its iterations are enough.
     """
     w.callee = None
-    if any(kind != "select" for kind, _ in w.around) or not w.calls(node):
+    if any(kind != "select" for kind, _ in w.around) or not w.has_steps(node):
         return None
     index, environment = w.new_index(), w.program.environment
 

@@ -87,7 +87,7 @@ class UnitWriter:
 
     def settle_before_calls(self, *parts: object) -> None:
         """Let what is due happen before a statement that acts and calls: time passes in the sub."""
-        if any(map(self.calls, parts)):
+        if any(map(self.has_steps, parts)):
             self.add(NOW)
 
     def here(self, *jumps: int) -> int:
@@ -131,13 +131,16 @@ class UnitWriter:
 
     # ------------------------------------------------------------------------------------------- properties
 
-    def calls(self, part: object) -> bool:
-        """True if an expression calls a function of the program."""
+    def has_steps(self, part: object) -> bool:
+        """True if an expression has steps of its own: it calls a function of the program, or has a long chain."""
         return any(
-            isinstance(each, nodes.Name)
-            and each.symbol is not None
-            and each.symbol.kind == "sub"
-            and not self.is_result(each)
+            isinstance(each, nodes.Chain)
+            or (
+                isinstance(each, nodes.Name)
+                and each.symbol is not None
+                and each.symbol.kind == "sub"
+                and not self.is_result(each)
+            )
             for each in expressions.parts(part)
         )
 

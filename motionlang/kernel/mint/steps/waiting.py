@@ -43,7 +43,7 @@ def wait(w: UnitWriter, given: list[nodes.Expr]) -> None:
 
 def pause(w: UnitWriter, node: nodes.Pause) -> None:
     """Write `PAUSE condition`: the readings in it say when it may become true."""
-    if w.calls(node.condition):
+    if w.has_steps(node.condition):
         _pause_by_ticks(w, node.condition)
         return
     holds = expressions.condition(w, node.condition)

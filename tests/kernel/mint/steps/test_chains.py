@@ -38,6 +38,11 @@ CHAINS = {
     # The first call that is not 0 decides an Or, and the first that is 0 an And.
     "Or of calls": (f"If {' Or '.join(f'Counted({n} > 79)' for n in range(150))} Then PRINT a{COUNTED}", "81"),
     "And of calls": (f"If {' And '.join(f'Counted({n} < 79)' for n in range(150))} Then End\nPRINT a{COUNTED}", "80"),
+    "right of an Or": ("If a = 0 Or (1" + " + 1 / a" * LENGTH + ") > 0 Then PRINT 5", "5"),
+    "Pause": (
+        "Run T\nPAUSE a = 1 And (a" + " + a" * LENGTH + ") > 0\nPRINT a\nEnd\nTask T\nWAIT(10)\na = 1\nEnd Task",
+        "1",
+    ),
     # 1501 times true, an odd number of them.
     "Xor": ("PRINT 0" + " Xor a = 0" * (LENGTH + 1), "1"),
     "While": ("While a < 7 And " + " And ".join(["a <> 9"] * LENGTH) + "\na = a + 1\nEnd While\nPRINT a", "7"),
