@@ -339,8 +339,7 @@ class Improver:
         """Return the value nearest to the original with the same cycle as that of an edit."""
 
         def is_enough(value: float) -> bool:
-            made, reason = self._judge({**values, edit.literal.address: value})
-            return not reason and made <= cost * (1.0 + ENOUGH)
+            return self._is_within({**values, edit.literal.address: value}, cost * (1.0 + ENOUGH))
 
         low, high = edit.literal.value, edit.value
         nearly = 0.02 * low + 0.98 * high
@@ -366,26 +365,18 @@ class Improver:
         # No more of them, and no more of each, than the gain takes.
         for edit in list(found):
             address = edit.literal.address
-
-            def is_enough(value: float, address: str = address) -> bool:
-                made, refused = self._judge({**values, address: value})
-                return not refused and made <= cost * (1.0 + ENOUGH)
-
-            if is_enough(edit.literal.value):
+            if self._is_within({**values, address: edit.literal.value}, cost * (1.0 + ENOUGH)):
                 del values[address]
                 found.remove(edit)
-                continue
-            high = _bisected(edit.value, edit.literal.value, is_enough)
-            round_ = _roundest(high, edit.value)
-            values[address] = edit.value = round_ if is_enough(round_) else high
+            else:
+                values[address] = edit.value = self._least(edit, values, cost)
         return found
 
     def _furthest(self, literal: Literal, values: Mapping[str, float], best: float) -> float:
         """Return the largest value of a literal that is allowed and loses nothing."""
 
         def is_allowed(factor: float) -> bool:
-            cost, reason = self._judge({**values, literal.address: literal.value * factor})
-            return not reason and cost <= best * (1.0 + WORTH)
+            return self._is_within({**values, literal.address: literal.value * factor}, best * (1.0 + WORTH))
 
         low, high = 1.0, 2.0
         while high <= MAX_FACTOR and is_allowed(high):
@@ -657,6 +648,11 @@ class Improver:
         cost = self._cost(result)
         reason = self._behaviour.difference(result, self._starts(result)) or self._beyond(result)
         return cost, reason or ("" if 0.0 < cost < inf else "nothing repeats any more")
+
+    def _is_within(self, values: Mapping[str, float], most: float) -> bool:
+        """True if some values are allowed, and the cycle takes no longer than `most`, s."""
+        cost, reason = self._judge(values)
+        return not reason and cost <= most
 
     def _beyond(self, result: Run) -> str:
         """Return the first limit that a run exceeds; "" if it keeps all."""
