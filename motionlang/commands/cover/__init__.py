@@ -184,13 +184,3 @@ def worlds_of(program: str | Source) -> dict[str, dict[str, object]]:
 
 def _nothing(values: Values) -> None:
     pass
-
-
-def ranges(lines: Sequence[int]) -> Iterator[str]:
-    """Yield consecutive lines as ranges: 3-5."""
-    first = last = 0
-    for line in [*lines, 0]:
-        if first and line != last + 1:
-            yield str(first) if first == last else f"{first}-{last}"
-            first = 0
-        first, last = first or line, line

@@ -18,7 +18,7 @@ from motionlang.cli.output_files import written
 from motionlang.cli.program_files import PATHS, programs
 from motionlang.cli.readers import machine_time, real, wall_time
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.cover import Coverage, covered, ranges, worlds_of
+from motionlang.commands.cover import Coverage, covered, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.cover.worlds import Event, Worlds
@@ -27,7 +27,7 @@ from motionlang.commands.scenario_text import write_scenario
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
 from motionlang.kernel.files import replacing
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import count_of, ranges
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.terminal import table_width, wants_colour
 
@@ -149,7 +149,7 @@ examples:
         shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
         text = f"{file}: {shares} with {count_of(len(written), 'scenario')}\n"
         text += "".join(f"  {name}: {about}\n" for name, about in written.items())
-        missed = ", ".join(ranges(sorted(rows[1].missed)))
+        missed = ranges(rows[1].missed)
         if missed:
             text += f"  not reached: lines {missed}\n  {count_of(exploration.trials, 'trial')} played\n"
         self.show(coverage_document(rows[1:]), text)
@@ -159,7 +159,7 @@ examples:
         """Write the scenario of a world that was found; return what the file is about, by its name."""
         names = (f"{world.name}{'' if n == 1 else f'-{n}'}" for n in count(1))
         path = write_scenario(file, names, world.text)
-        lines = ", ".join(ranges(world.reaches))
+        lines = ranges(world.reaches)
         return {path: f"reaches lines {lines}" if lines else "reaches more of some lines"}
 
     def _lines(self, found: Sequence[Coverage]) -> list[str]:

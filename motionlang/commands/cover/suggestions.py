@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from motionlang.commands.cover import Coverage, coverage, ranges
+from motionlang.commands.cover import Coverage, coverage
 from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.map.program_map import names_in_comments
@@ -22,6 +22,7 @@ from motionlang.exploration import Change, Entry, Exploration, entries, plain, t
 from motionlang.kernel import ProgramError, Run, Source, read_machine, run
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import axes as axes_of
+from motionlang.kernel.tools import ranges
 
 # A world goes on for so long after its last transition, s.
 BEYOND = 2.0
@@ -149,7 +150,7 @@ class Search:
     def _verified(self, suggestion: SuggestedWorld, result: Run) -> str | None:
         """Return the text of a scenario that `verify` passes, without prints if it must be; None if it does not."""
         program, stop = self.exploration.program, ending(result)
-        lines = ", ".join(ranges(suggestion.reaches))
+        lines = ranges(suggestion.reaches)
         name = program.source.name.rpartition("/")[2]
         reaches = f"lines {lines}" if lines else "more"
         about = f"A world of {name}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"

@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from urllib.parse import quote
 
-from motionlang.commands.cover import Coverage, ranges
+from motionlang.commands.cover import Coverage
+from motionlang.kernel.tools import ranges
 from motionlang.kernel.tools import total as total_of
 from motionlang.views import documents
 from motionlang.views.html_table import data_cell, html_table
@@ -58,7 +59,7 @@ def files_table(found: Sequence[Coverage]) -> Table:
             "parts": len(each.parts),
             "parts_reached": len([one for one in each.parts if one.count]),
             "covered": percentage([each]),
-            "missing": ", ".join(ranges(sorted(each.missed))),
+            "missing": ranges(each.missed),
         }
         for each in found
     ]

@@ -90,8 +90,8 @@ table.mnt
              21  End Event
 
 file       worlds  statements  outcomes   parts  covered  lines to look at
-────────────────────────────────────────────────────────────────────────────
-table.mnt       1     7 of 12   7 of 10  0 of 2     64 %  3-6, 10-11, 17, 20
+─────────────────────────────────────────────────────────────────────────────
+table.mnt       1     7 of 12   7 of 10  0 of 2     64 %  3-6, 10, 11, 17, 20
 """
     )
 
@@ -107,7 +107,7 @@ def test_scenarios_add_up(table: Cell) -> None:
         == """\
 file       worlds  statements  outcomes   parts  covered  lines to look at
 ──────────────────────────────────────────────────────────────────────────
-table.mnt       2     9 of 12   8 of 10  1 of 2     77 %  3-4, 10-11, 20
+table.mnt       2     9 of 12   8 of 10  1 of 2     77 %  3, 4, 10, 11, 20
 """
     )
 
@@ -287,14 +287,14 @@ def test_suggested_scenarios_are_to_be_reviewed(cell: Cell) -> None:
         cell("cover", "line.prg", "--suggest").out
         == """\
 line.prg: 22 % → 100 % with 2 scenarios
-  line.scenarios/input-0-on-standby-lab.toml: reaches lines 4-5, 7
+  line.scenarios/input-0-on-standby-lab.toml: reaches lines 4, 5, 7
   line.scenarios/input-0-on-and-input-1-on-standby-lab.toml: reaches lines 6
 """
     )
     assert (
         (cell.folder / "line.scenarios" / "input-0-on-standby-lab.toml").read_text()
         == """\
-# A world of line.prg, found by motionlang cover --suggest. It reaches lines 4-5, 7. The
+# A world of line.prg, found by motionlang cover --suggest. It reaches lines 4, 5, 7. The
 # expectations are what the program does in it: check whether they are what it should do.
 
 controller.model = "mint4"
