@@ -57,7 +57,7 @@ from motionlang.exploration.changes import (
     tables_of,
 )
 from motionlang.exploration.cycles import MachineCycle, cycles
-from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest
+from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
@@ -107,6 +107,7 @@ __all__ = [
     "statements_of",
     "tables_of",
     "without_figures",
+    "without_memory",
     "without_world",
 ]
 
@@ -150,6 +151,14 @@ class Exploration:
     def begun(self) -> frozenset[int]:
         """The source offsets of the statements that any trial has carried out."""
         return frozenset(each for each in self._explorer.trials.seen if isinstance(each, int))
+
+    @property
+    def missed(self) -> list[int]:
+        """The lines with a statement that no trial has carried out."""
+        statements, begun = self.program.structure.statements, self.begun
+        return sorted(
+            {each.line for at, each in statements.items() if not each.is_silent and at not in begun}
+        )
 
     def cut_off(self) -> dict[Change, set[int]]:
         """Return the changes in the middle of a move that cut off moves, with the lines of these moves.

@@ -43,6 +43,11 @@ class TaskRest(NamedTuple):
 RestState = tuple[TaskRest, ...]
 
 
+def without_memory(state: RestState | None) -> RestState | None:
+    """Return a state without what the program remembers."""
+    return None if state is None else tuple(each._replace(memory=()) for each in state)
+
+
 class Rest(NamedTuple):
     """A stay in a rest state: its times, s; `end` is infinite if only a change of the world ends it.
 

@@ -20,7 +20,7 @@ from operator import attrgetter
 from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
 from motionlang.exploration.recorder import HANDLERS
-from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests
+from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests, without_memory
 from motionlang.exploration.roles import beside_work, commands, reached_in, triggers_of
 from motionlang.exploration.states import DELAY, Causes, Departure, Effect, StateNode, Transition, Visit, Work
 from motionlang.exploration.switches import FoundSwitches
@@ -317,8 +317,10 @@ class Explorer:
 
     def same_place(self, node: StateNode) -> list[StateNode]:
         """Return the other states in which the tasks rest at the same places."""
-        place = _place(node.state)
-        return [each for each in self.nodes.values() if each is not node and _place(each.state) == place]
+        place = without_memory(node.state)
+        return [
+            each for each in self.nodes.values() if each is not node and without_memory(each.state) == place
+        ]
 
     def _link(
         self,
@@ -422,11 +424,6 @@ def _urgency(left: tuple[StateNode, Departure]) -> tuple[bool, int, bool, int, i
         len(visit.timeline) - len(visit.moved),
         len(visit.timeline),
     )
-
-
-def _place(state: RestState | None) -> RestState | None:
-    """Return a state without what the program remembers."""
-    return None if state is None else tuple(each._replace(memory=()) for each in state)
 
 
 def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:

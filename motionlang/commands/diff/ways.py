@@ -213,7 +213,7 @@ def compared_ways(
     for some in (found.differences, found.behind):
         some.sort(key=lambda each: order[id(each.way)])
     found.later.sort(key=lambda each: order[id(each.way)])
-    found.unreached = {"A": _unreached(a), "B": _unreached(b)}
+    found.unreached = {"A": a.missed, "B": b.missed}
     return found
 
 
@@ -408,10 +408,3 @@ def _cycle_time(way: Way, result: ComparedActs) -> Iterator[CycleTime]:
         a, b = periods[len(periods) // 2]
         if abs(b - a) > 1e-3:
             yield CycleTime(way, a, b)
-
-
-def _unreached(one: Exploration) -> list[int]:
-    structure = one.program.structure
-    return sorted(
-        {each.line for at, each in structure.statements.items() if not each.is_silent and at not in one.begun}
-    )

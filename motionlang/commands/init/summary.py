@@ -59,19 +59,12 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
     if is_wrong(draft):
         said = ", ".join(dict.fromkeys(draft.world.cycle.said))
-        missed = _lines(never_begun(structure, exploration))
+        missed = _lines(exploration.missed)
         found.append(f"no good piece was found: the best cycle prints {said}; not reached: {missed}")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
         found += _stays(exploration)
     return found
-
-
-def never_begun(structure: Structure, exploration: Exploration) -> list[int]:
-    """Return the lines with statements that no trial has reached."""
-    missed = structure.statements.keys() - exploration.begun
-    begun = {structure.line(at) for at in exploration.begun}
-    return sorted({structure.line(at) for at in missed if not structure.statements[at].is_silent} - begun)
 
 
 def _stays(exploration: Exploration) -> list[str]:

@@ -31,6 +31,7 @@ from motionlang.exploration import (
     plain,
     statements_of,
     without_figures,
+    without_memory,
 )
 from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
@@ -186,7 +187,7 @@ class _Words:
         self._names: dict[RestState | None, str] = {}
         for parts in (self.unusual, lambda state: state):
             lines = {state: lines_of(state and parts(state), structure.line) for state in given}
-            places = {(name, _place(state)) for state, name in lines.items()}
+            places = {(name, without_memory(state)) for state, name in lines.items()}
             often = Counter(name for name, _ in places)
             for state, name in lines.items():
                 if often[name] == 1:
@@ -225,8 +226,8 @@ class _Words:
         """Return the states, those of the cycle first; of those at the same place one, with what makes a difference."""
         places: dict[RestState | None, list[StateNode]] = {}
         for node in self.exploration.nodes:
-            places.setdefault(_place(node.state), []).append(node)
-        cycle = {_place(state): None for state in self.exploration.world.cycle.states}
+            places.setdefault(without_memory(node.state), []).append(node)
+        cycle = {without_memory(state): None for state in self.exploration.world.cycle.states}
         first = dict.fromkeys((None, *cycle, *places))
         return [self.state(places[place], place in cycle) for place in first if place in places]
 
@@ -393,14 +394,9 @@ def _once(does: Effect) -> Hashable:
     return does._replace(moves=tuple(dict.fromkeys(does.moves)))
 
 
-def _place(state: RestState | None) -> RestState | None:
-    """Return a state without what the program remembers."""
-    return None if state is None else tuple(each._replace(memory=()) for each in state)
-
-
 def _usual(states: Sequence[RestState | None]) -> RestState:
     """Return where tasks rest in more than half of the states, of a machine with several tasks."""
-    places = Counter(each for state in states if state is not None for each in _place(state) or ())
+    places = Counter(each for state in states if state is not None for each in without_memory(state) or ())
     return tuple(each for each, count in places.items() if len(states) > 2 and 2 * count > len(states))
 
 
