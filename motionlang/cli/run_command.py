@@ -40,7 +40,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.lang import check_inputs_are_read
 from motionlang.kernel.report import assumptions, failure, pieces, remembered
-from motionlang.kernel.tools import MissingExtra
+from motionlang.kernel.tools import MissingExtra, listed
 from motionlang.views.formatting import clock_time
 from motionlang.views.questions import ask
 from motionlang.views.report import render, run_document
@@ -319,8 +319,7 @@ def _note_remembered(result: Run) -> None:
     """Name the commands that moved an axis by a meaning that no document states."""
     found = remembered(result)
     if found:
-        *others, last = found
-        act = f"{', '.join(others)} and {last} act" if others else f"{last} acts"
+        act = f"{listed(found)} {'act' if len(found) > 1 else 'acts'}"
         sys.stderr.write(f"note: {act} as remembered, not as printed: motionlang help {found[0]}\n")
 
 
@@ -333,8 +332,7 @@ def _note_axes_in_motion(result: Run) -> None:
         found["held" if is_held else "moving"].append(axis)
     for what, axes in found.items():
         if axes:
-            *others, last = map(str, axes)
-            were = f"axes {', '.join(others)} and {last} were" if others else f"axis {last} was"
+            were = f"axes {listed(axes)} were" if len(axes) > 1 else f"axis {axes[0]} was"
             limit = clock_time(result.time)
             sys.stderr.write(f"note: {were} still {what} at the time limit of {limit}\n")
 

@@ -15,7 +15,7 @@ from sys import getrecursionlimit, setrecursionlimit
 from traceback import walk_stack
 
 # Maximum characters of a value in a message.
-_MAX_SHOWN = 60
+_MAX_SHOWN = 61
 # More halvings than lie between any two floats and neighbours.
 TO_NEIGHBOURS = 2200
 
@@ -38,9 +38,15 @@ def shown(value: object) -> str:
     return clipped(text)
 
 
-def clipped(text: str) -> str:
-    """Return a quoted text, truncated to at most one line."""
-    return text if len(text) <= _MAX_SHOWN else f"{text[:_MAX_SHOWN]}…"
+def clipped(text: str, most: int = _MAX_SHOWN) -> str:
+    """Return a text, truncated to at most so many characters; by default for a quotation in one line."""
+    return text if len(text) <= most else f"{text[: most - 1]}…"
+
+
+def listed(words: Iterable[object]) -> str:
+    """Return words as text: "a, b and c"; there is at least one."""
+    *others, last = map(str, words)
+    return f"{', '.join(others)} and {last}" if others else last
 
 
 class Spellings:

@@ -17,7 +17,7 @@ from collections.abc import Iterable
 from textwrap import wrap
 
 from motionlang.kernel import Diagnostic, Source
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import clipped, count_of
 from motionlang.views.formatting import significant
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import WIDTH, cells, printable, styled
@@ -115,8 +115,7 @@ def _location(diagnostic: Diagnostic, name: str) -> str:
 
 
 def _short(text: str) -> str:
-    text = printable(text)
-    return text if len(text) <= MAX_MESSAGE else text[: MAX_MESSAGE - 1] + "…"
+    return clipped(printable(text), MAX_MESSAGE)
 
 
 def _lines(text: str, first: int, others: int, width: int) -> list[str]:

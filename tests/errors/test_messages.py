@@ -38,8 +38,8 @@ def test_a_signal_has_the_exit_status_of_a_shell() -> None:
     assert (Terminated(15).code, Terminated(15).number) == (143, 15)
 
 
-@pytest.mark.parametrize(("length", "text"), [(60, "x" * 60), (61, "x" * 60 + "…")])
-def test_a_value_in_a_message_has_60_characters(length: int, text: str) -> None:
+@pytest.mark.parametrize(("length", "text"), [(61, "x" * 61), (62, "x" * 60 + "…")])
+def test_a_value_in_a_message_has_at_most_61_characters(length: int, text: str) -> None:
     assert clipped("x" * length) == text
 
 

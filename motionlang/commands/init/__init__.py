@@ -27,6 +27,7 @@ from motionlang.exploration import (
     entries,
 )
 from motionlang.kernel import Run
+from motionlang.kernel.tools import listed
 
 # The tables of choices.
 CHOICES = ("answer", "key")
@@ -192,7 +193,7 @@ def cycle_text(exploration: Exploration, cycle: MachineCycle, seconds: float | N
     time = fsum(each.seconds for each in cycle.transitions) if seconds is None else seconds
     parts = [" → ".join(map(str, states)) or "work without a rest"]
     parts += [", ".join(_grouped(changed))] if changed else []
-    parts += [_list("axis", "axes", axes)] if axes else []
+    parts += [f"{'axes' if len(axes) > 1 else 'axis'} {listed(axes)}"] if axes else []
     return ", ".join([*parts, *([f"{time:.4g} s"] if time else [])])
 
 
@@ -200,10 +201,5 @@ def _grouped(names: Mapping[str, None]) -> Iterator[str]:
     """Yield the inputs together, and then the others."""
     inputs = [int(each.removeprefix("input ")) for each in names if each.startswith("input ")]
     if inputs:
-        yield _list("input", "inputs", sorted(inputs))
+        yield f"{'inputs' if len(inputs) > 1 else 'input'} {listed(sorted(inputs))}"
     yield from (each for each in names if not each.startswith("input "))
-
-
-def _list(one: str, many: str, numbers: list[int]) -> str:
-    *most, last = map(str, numbers)
-    return f"{many} {', '.join(most)} and {last}" if most else f"{one} {last}"

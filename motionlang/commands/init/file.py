@@ -17,6 +17,7 @@ from motionlang.exploration import Entry, Exploration, RestState, Transition, en
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure, Target
 from motionlang.kernel.report import moves
+from motionlang.kernel.tools import listed
 
 # Lines of the program that a comment quotes, and characters of one.
 MAX_LINES = 3
@@ -145,9 +146,7 @@ def _model(target: Target) -> str:
 
 def also_fitting(target: Target) -> str:
     """Return which other models a program fits."""
-    *most, last = target.others
-    names = f"{', '.join(most)} and {last}" if most else last
-    return f"{names} {'fits' if len(target.others) == 1 else 'fit'} the program as well"
+    return f"{listed(target.others)} {'fits' if len(target.others) == 1 else 'fit'} the program as well"
 
 
 def path_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:

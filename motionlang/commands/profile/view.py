@@ -9,6 +9,7 @@ from math import fsum
 from motionlang.commands.profile.critical_path import About
 from motionlang.commands.profile.motions import MOVING
 from motionlang.commands.profile.profile import Share, TimeProfile
+from motionlang.kernel.tools import clipped
 from motionlang.views.formatting import clock_time
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
@@ -195,8 +196,7 @@ def _place(made: TimeProfile) -> tuple[Column, Column]:
 
 def _source(made: TimeProfile) -> Column:
     def shortened(share: Share) -> str:
-        source = made.run.source.line(share.line).strip()
-        return printable(source if len(source) <= MAX_NAME else f"{source[: MAX_NAME - 1]}…")
+        return printable(clipped(made.run.source.line(share.line).strip(), MAX_NAME))
 
     return Column("", get=shortened, left=True, drop=4)
 

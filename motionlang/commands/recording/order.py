@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from motionlang.commands.recording.table import warning
 from motionlang.kernel import Diagnostic
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import count_of, listed
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
@@ -128,8 +128,7 @@ def _stretches(times: Array) -> tuple[list[tuple[int, int]], str]:
 
 def _listed(counts: Sequence[int]) -> str:
     """Return counts as text, the first of many."""
-    *most, last = map(str, counts[:MAX_STRETCHES])
-    return f"{', '.join(most)} and {last}{' …' if len(counts) > MAX_STRETCHES else ''}"
+    return f"{listed(counts[:MAX_STRETCHES])}{' …' if len(counts) > MAX_STRETCHES else ''}"
 
 
 def _range(lines: Sequence[int] | Rows) -> str:

@@ -15,6 +15,7 @@ from motionlang.commands.recording.table import RecordedTable, warning
 from motionlang.commands.recording.values import numbers
 from motionlang.kernel import Diagnostic, ProgramError, Source
 from motionlang.kernel.tools import count_of
+from motionlang.views.formatting import grouped
 
 Array = NDArray[np.float64]
 
@@ -187,7 +188,7 @@ def _sentence(
     used: set[str],
 ) -> str:
     parts = [
-        f"{_count(len(rows))} of {_count(len(table.lines))} rows",
+        f"{grouped(len(rows))} of {grouped(len(table.lines))} rows",
         f"{_time(times[0])} to {_time(times[-1])} s" + (f" from {begin}" if begin else ""),
         "a row only where something changes" if events else f"every {step:.3g} s",
     ]
@@ -196,10 +197,6 @@ def _sentence(
         parts.append(f"{count_of(len(gaps), 'gap')} ({until - since:.3g} s at {_time(since)} s)")
     parts.append(f"{count_of(len(used), 'column')} used of {len(table.columns)}")
     return f"{table.name}: {', '.join(parts)}"
-
-
-def _count(number: int) -> str:
-    return f"{number:,}".replace(",", " ")
 
 
 def _time(seconds: float) -> str:

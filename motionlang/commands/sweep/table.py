@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import IO, Any
 
 from motionlang.kernel.files import replacing
-from motionlang.kernel.tools import need
+from motionlang.kernel.tools import clipped, need
 from motionlang.views.table import Column, Table, csv_cell
 from motionlang.views.terminal import printable
 
@@ -43,8 +43,7 @@ def cell(value: object) -> str:
         return "true" if value else "false"
     if isinstance(value, int | float):
         return f"{value:.6g}"
-    text = printable(" · ".join(str(value).split("\n")))
-    return text if len(text) <= MAX_LETTERS else text[: MAX_LETTERS - 1] + "…"
+    return clipped(printable(" · ".join(str(value).split("\n"))), MAX_LETTERS)
 
 
 def write_rows(path: str, table: Table) -> None:

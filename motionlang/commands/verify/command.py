@@ -40,7 +40,7 @@ from motionlang.kernel import (
     machine_of,
     settings_next_to,
 )
-from motionlang.kernel.tools import count_of, need
+from motionlang.kernel.tools import count_of, listed, need
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
@@ -209,9 +209,7 @@ def _verify(verdict: Verdict, also: Collection[str]) -> None:
         verdict.has_golden = not checked
         if checked:
             are = "is" if checked in (["its text"], ["1 scenario"], ["a sweep"]) else "are"
-            *others, last = checked
-            listed = f"{', '.join(others)} and {last}" if others else last
-            verdict.lines.append(f"{verdict.name}: {missing}; only {listed} {are} checked")
+            verdict.lines.append(f"{verdict.name}: {missing}; only {listed(checked)} {are} checked")
         elif not verdict.failed:
             verdict.is_outdated = True
             verdict.fail(f"{missing}; --update writes one")

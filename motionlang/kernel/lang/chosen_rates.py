@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.structure import Use
+from motionlang.kernel.tools import listed
 
 
 def unset(rows: Iterable[Keyword], uses: Iterable[Use], rates: Sequence[str]) -> list[Keyword]:
@@ -21,9 +22,9 @@ def remark(
     """Return the line about rates that are never set, and what settles them; no line if there are none."""
     if not rows:
         return []
-    *others, last = (row.name for row in rows)
-    names, values = f"{', '.join(others)} and {last}" if others else last, list(dict.fromkeys(figures))
+    names, values = listed(row.name for row in rows), list(dict.fromkeys(figures))
+    verb = "are" if len(rows) > 1 else "is"
     return [
-        f"{names} {'are' if others else 'is'} never set: {' and '.join(values)} {'are' if len(values) > 1 else 'is'} a "
+        f"{names} {verb} never set: {' and '.join(values)} {'are' if len(values) > 1 else 'is'} a "
         f"choice of motionlang ({', '.join(dict.fromkeys(assumptions))}); {settled} settles it"
     ]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.commands.check.rule_facts import spelt
 from motionlang.kernel.mccl import table
+from motionlang.kernel.tools import listed
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
@@ -27,9 +28,8 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     names = {row.gives: row.name for row in table()}
     for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
-        *others, last = (names[slot] for slot in _ORDER if slot in axis.stale)
-        words = f"{', '.join(others)} and {last}" if others else last
-        verb = "are" if others else "is"
+        stale = [names[slot] for slot in _ORDER if slot in axis.stale]
+        words, verb = listed(stale), "are" if len(stale) > 1 else "is"
         assert axis.scaled is not None
         message = (
             f"the scale of axis {key} is in force only from MN on: {words} before it {verb} in the old unit"

@@ -49,7 +49,7 @@ from motionlang.commands.scenario_text import inline
 from motionlang.exploration import TABLES, Entry, entries
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.lang import READ
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import count_of, listed
 
 # Nothing changes any more if it did not for so long, s, and for so many times the longest time between two changes.
 QUIET, QUIET_TIMES = 5.0, 3.0
@@ -323,7 +323,8 @@ def unread(program: Program, raw: MeasuredRecording, guesses: Tables) -> Iterato
     unused = sorted(_unnamed(program, raw))
     if unused:
         yield (
-            f"{_list('input', unused)} {_is(unused)} recorded, and the program never reads {_it(unused)}: left out"
+            f"{'inputs' if len(unused) > 1 else 'input'} {listed(unused)} {_is(unused)} recorded, "
+            f"and the program never reads {_it(unused)}: left out"
         )
     uses = [use for _, use in program.structure.inputs()]
     missing: list[str] = []
@@ -347,11 +348,6 @@ def _unnamed(program: Program, raw: MeasuredRecording) -> set[int]:
 def _with_inputs(recording: MeasuredRecording, numbers: Collection[int]) -> MeasuredRecording:
     kept = {number: each for number, each in recording.inputs.items() if number in numbers}
     return replace(recording, inputs=kept)
-
-
-def _list(one: str, numbers: list[int]) -> str:
-    *most, last = map(str, numbers)
-    return f"{one}s {', '.join(most)} and {last}" if most else f"{one} {last}"
 
 
 def _is(numbers: list[int]) -> str:
@@ -464,10 +460,5 @@ def rules_in_words(rules: Mapping[int, MeasuredRule]) -> Iterator[str]:
                 "it stays a guess"
             )
         if rule.others:
-            names = _names(rule.others)
+            names = listed(rule.others)
             yield f"input {number}: {names} would explain it equally well; {rule.subject} {rule.reason}"
-
-
-def _names(subjects: tuple[str, ...]) -> str:
-    *most, last = subjects
-    return f"{', '.join(most)} and {last}" if most else last

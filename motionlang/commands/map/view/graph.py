@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from motionlang.commands.map.behaviour import MachineBehaviour, TransitionRow
+from motionlang.kernel.tools import clipped
 
 # The longest text of a node or an edge; the tables have the rest.
 MAX_LINES, MAX_TEXT = 5, 48
@@ -44,7 +45,7 @@ def _nodes(behaviour: MachineBehaviour | None) -> Iterator[tuple[str, list[str]]
     """Yield the name of each node and the lines of its text."""
     states = behaviour.states if behaviour is not None else []
     for number, state in enumerate(states):
-        yield f"n{number}", [_clipped(each) for each in (state.name, state.statement) if each]
+        yield f"n{number}", [clipped(each, MAX_TEXT) for each in (state.name, state.statement) if each]
     if any(way.to == END for state in states for way in state.transitions):
         yield "n_end", [END]
 
@@ -62,11 +63,7 @@ def _label(way: TransitionRow) -> list[str]:
     found = [f"{way.until}, {way.seconds:.2f} s", *way.then]
     if len(found) > MAX_LINES:
         found[MAX_LINES:] = [f"… {len(found) - MAX_LINES} more"]
-    return [_clipped(each) for each in found]
-
-
-def _clipped(text: str) -> str:
-    return text if len(text) <= MAX_TEXT else text[: MAX_TEXT - 1] + "…"
+    return [clipped(each, MAX_TEXT) for each in found]
 
 
 def _quoted(lines: Iterable[str]) -> str:
