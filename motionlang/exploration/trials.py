@@ -36,7 +36,7 @@ START = 400
 # A trial is no longer than usual if it has made so many moves.
 MAX_MOVES = 300
 _ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
-_FIGURE = re.compile(r"[-+]?\d[\d.]*")
+_FIGURE = re.compile(r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?")
 
 
 class Act(NamedTuple):

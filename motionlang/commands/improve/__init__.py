@@ -719,19 +719,27 @@ class Improver:
         return inf if found is None else float(found)
 
 
-def improver_of(program: str | Source, machine: Mapping[str, object] | None = None, **given: Any) -> Improver:
+def improver_of(
+    program: str | Source,
+    settings: Mapping[str, object] | None = None,
+    /,
+    dialect: str | Dialect | None = None,
+    **given: Any,
+) -> Improver:
     """Return the improver of a program in its own world and its scenarios; `given` is as for `Improver`.
 
-    `machine` are settings in place of those of the machine file. Raises OSError if a file cannot be read, ProgramError
+    `settings` are those in place of the machine file. Raises OSError if a file cannot be read, ProgramError
     for a wrong one, and NotPossible.
     """
     source = program if isinstance(program, Source) else Source.read(program)
-    settings = settings_next_to(program) if machine is None else checked_settings(machine)
+    settings = settings_next_to(program) if settings is None else checked_settings(settings)
     files = [] if isinstance(program, Source) else scenario_files(program)
     others = [Scenario(str(program), each) for each in files]
     expected: list[Entry] = settings.get("expect", [])  # type: ignore[assignment]
     worlds = [ExpectedWorld(each.name, each.settings, each.expected) for each in others]
-    return Improver(source, dialect_for(source, None), ExpectedWorld("", settings, expected), worlds, **given)
+    return Improver(
+        source, dialect_for(source, dialect), ExpectedWorld("", settings, expected), worlds, **given
+    )
 
 
 def _bisected(good: float, bad: float, is_good: Callable[[float], bool]) -> float:

@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from motionlang.commands.improve.tasks import Tasks
+from motionlang.exploration import without_figures
 from motionlang.kernel import Run
 from motionlang.kernel.log import CONTINUED, LoggedMove, Waited
 
 # A task that others share the processor with is late by so much, s.
 LATE = 2e-3
-_FIGURE = re.compile(r"[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 
 
 class Place(NamedTuple):
@@ -55,7 +54,7 @@ def acts_of(run: Run, tasks: Tasks) -> dict[str, list[OrderedAct]]:
             found.append((move.start_time, 0, move.line, f"{move.command} of axis {move.axis}", end))
         (continued.add if move.ended == CONTINUED else continued.discard)(move.axis)
     happened = [(each.time, 1, each.at, f"output {each.channel} = {each.value}") for each in log.outputs]
-    happened += [(each.time, 2, each.at, repr(_FIGURE.sub("#", each.text).strip())) for each in log.prints]
+    happened += [(each.time, 2, each.at, repr(without_figures(each.text).strip())) for each in log.prints]
     for time, kind, at, text in happened:
         if at not in lines:
             lines[at] = run.dialect.locate(run.source, at)[0]

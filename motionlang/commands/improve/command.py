@@ -13,11 +13,10 @@ from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions, with_world
 from motionlang.cli.output_files import written
 from motionlang.cli.readers import machine_time, whole
-from motionlang.commands.improve import Edit, ExpectedWorld, Improver, NotPossible
+from motionlang.commands.improve import Edit, NotPossible, improver_of
 from motionlang.commands.improve.view import difference, improvement_document, improvement_lines
 from motionlang.commands.quantities import CYCLE, CYCLES
-from motionlang.commands.scenarios import Scenario, scenario_files
-from motionlang.kernel import STDIN, Diagnostic, ProgramError
+from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, ProgramError
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import count_of, need
 from motionlang.views.progress import Progress
@@ -105,21 +104,13 @@ examples:
     def run(self) -> int:
         need("motionlang improve", "numpy")
         source, language = self.source(), self.known_language()
-        settings = with_world(self.settings(), self.entries())
+        settings = CheckedSettings(with_world(self.settings(), self.entries()))
         progress = Progress(sys.stderr, os.path.basename(self.file))
         try:
-            scenarios = (
-                []
-                if self.file == STDIN
-                else [Scenario(self.file, each) for each in scenario_files(self.file)]
-            )
-            others = [ExpectedWorld(each.name, each.settings, each.expected) for each in scenarios]
-            own = ExpectedWorld("", settings, settings.get("expect", ()))  # type: ignore[arg-type]
-            improver = Improver(
-                source,
-                language,
-                own,
-                others,
+            improver = improver_of(
+                source if self.file == STDIN else self.file,
+                settings,
+                dialect=language,
                 cycle=self.cycle or "",
                 until=self.until,
                 progress=lambda runs: progress(min(runs / RUNS, 1.0)),
