@@ -35,9 +35,7 @@ from motionlang.kernel import (
     ProgramError,
     Rejected,
     Run,
-    Source,
     dialect_of,
-    machine_of,
     settings_next_to,
 )
 from motionlang.kernel.tools import count_of, listed, need
@@ -218,11 +216,8 @@ def _verify(verdict: Verdict, also: Collection[str]) -> None:
         return
     if result is None:
         return
-    try:
+    with verdict.reading():
         compare(verdict, result, expectations(result))
-    except OSError as error:
-        verdict.refuse([unreadable(str(error.filename), error)])
-    else:
         if verdict.failed and result.diagnostics:  # for example of a program that no longer compiles
             verdict.diagnostics, verdict.source = result.diagnostics, result.source
 
@@ -264,19 +259,14 @@ def verify_log(path: str) -> Verdict:
 
     verdict = Verdict(path, "log")
     try:
-        replay = replay_file(path, settings_next_to(path))
+        with verdict.reading():
+            replay = replay_file(path, settings_next_to(path))
+            if replay.first is not None:
+                first = replay.first
+                where = f"{os.path.basename(path)}:{first.entry.line}"
+                verdict.report([f"{where}: {call_of(first.entry)}: {first.text}", replay.summary])
     except BadLog as problem:
         verdict.fail(f"line {problem.line}: {problem}")
     except Rejected as rejected:
         verdict.fail(rejected.message)
-    except OSError as error:
-        verdict.refuse([unreadable(str(error.filename or path), error)])
-    except ProgramError as error:
-        machine = machine_of(path)
-        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
-    else:
-        if replay.first is not None:
-            first = replay.first
-            where = f"{os.path.basename(path)}:{first.entry.line}"
-            verdict.report([f"{where}: {call_of(first.entry)}: {first.text}", replay.summary])
     return verdict

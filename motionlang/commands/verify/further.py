@@ -7,7 +7,7 @@ import io
 import json
 import os
 
-from motionlang.cli.complaints import unreadable, unwritten
+from motionlang.cli.complaints import unwritten
 from motionlang.cli.crash import crash
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.certify.command import certify
@@ -18,7 +18,7 @@ from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX as SWEEP_SUFFIX
 from motionlang.commands.verify.verdict import Verdict
-from motionlang.kernel import ProgramError, Run, Source, machine_of, run, settings_next_to
+from motionlang.kernel import ProgramError, Run, machine_of, run, settings_next_to
 from motionlang.kernel.files import replacing
 
 
@@ -33,11 +33,8 @@ def further_check(program: str, path: str, rewrite: bool) -> Verdict:
     is_sweep = path.endswith(SWEEP_SUFFIX)
     verdict = Verdict(path, "sweep" if is_sweep else "scenario")
     try:
-        (_sweep if is_sweep else _scenario)(program, verdict, rewrite)
-    except OSError as error:
-        verdict.refuse([unreadable(str(error.filename or path), error)])
-    except ProgramError as error:
-        verdict.refuse(error.diagnostics, Source.read(path))
+        with verdict.reading():
+            (_sweep if is_sweep else _scenario)(program, verdict, rewrite)
     except ValueError as error:
         verdict.fail(str(error))
     return verdict
@@ -96,19 +93,13 @@ def has_limits(program: str) -> bool:
 
 def ran(verdict: Verdict) -> Run | None:
     """Return the run of a program; None if it or its machine file cannot be read."""
-    program = verdict.name
     try:
-        result = run(program)
-    except OSError as error:
-        verdict.refuse([unreadable(str(error.filename or program), error)])
-    except ProgramError as error:
-        machine = machine_of(program)
-        verdict.refuse(error.diagnostics, Source.read(machine) if machine else None, machine or "")
+        with verdict.reading():
+            result = run(verdict.name)
+            SIGNALS.end_with(result)
+            return result
     except Exception as error:  # an internal error must not skip the programs after it
-        verdict.refuse([crash(error, (program,))])
-    else:
-        SIGNALS.end_with(result)
-        return result
+        verdict.refuse([crash(error, (verdict.name,))])
     return None
 
 

@@ -5,10 +5,12 @@ Any process can compute it; the first process reports it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 
+from motionlang.cli.complaints import unreadable
 from motionlang.commands.diff.golden import MAX_DIFFERENCES
-from motionlang.kernel import Diagnostic, Source
+from motionlang.kernel import Diagnostic, ProgramError, Source, machine_of
 
 
 class Verdict:
@@ -34,6 +36,17 @@ class Verdict:
         """
         self.failed, self.diagnostics = True, diagnostics
         self.source, self.path = source, path or self.name
+
+    @contextmanager
+    def reading(self) -> Iterator[None]:
+        """Fail if a file cannot be read, or if the settings of the file, or next to it, are wrong."""
+        try:
+            yield
+        except OSError as error:
+            self.refuse([unreadable(str(error.filename or self.name), error)])
+        except ProgramError as error:
+            wrong = self.name if self.name.endswith(".toml") else machine_of(self.name)
+            self.refuse(error.diagnostics, Source.read(wrong) if wrong else None, wrong or "")
 
     def fail(self, message: str) -> None:
         """Fail for a reason of one line."""
