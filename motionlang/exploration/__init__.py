@@ -65,7 +65,7 @@ from motionlang.exploration.trials import Act, Interrupted, Trial, asks, describ
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
 from motionlang.exploration.world import FoundWorld, explains, lead, played, world_of
-from motionlang.kernel import Program, ProgramError, Run, Source, dialect_for, settings_next_to
+from motionlang.kernel import Program, Run, Source, dialect_for, settings_next_to
 
 __all__ = [
     "SHORTEST_REST",
@@ -282,8 +282,7 @@ def explored(source: Source, switches: Mapping[str, object] | None = None) -> Ex
     """
     settings = {**(switches or {}), **without_world(settings_next_to(source.name))}
     program = dialect_for(source, None).program(source, settings, is_debug=True)
-    if program.errors:
-        raise ProgramError(program.errors)
+    program.require()
     return explore(program, settings)
 
 

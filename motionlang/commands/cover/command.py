@@ -124,8 +124,7 @@ examples:
                 all_own = worlds_of(file)
                 own = all_own[""]
                 program = language.program(source, own, is_debug=True)
-                if program.errors:
-                    raise ProgramError(program.errors)
+                program.require()
                 runs = Worlds(program, language)
                 before: Counter[Event] = Counter()
                 for settings in all_own.values():

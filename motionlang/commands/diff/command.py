@@ -36,14 +36,13 @@ from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_page import ways_page
 from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
-from motionlang.commands.explore.playing import playing
+from motionlang.commands.explore.playing import explored_program, playing
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
-from motionlang.exploration import Exploration, explore, without_world
 from motionlang.kernel import Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import layered
@@ -245,8 +244,8 @@ examples:
         for name in ("scenarios", "keep", "tolerance", "until", "map", "delay"):
             if getattr(self, name):
                 raise WrongOption(f"--{name} and --explore exclude each other")
-        a = self._explored("a", self.a, {})
-        b = self._explored("b", other, a.switches.settings)
+        a = explored_program(GivenProgram.of(self, "a", self.a))
+        b = explored_program(GivenProgram.of(self, "b", other), a.switches.settings)
         with playing("ways") as progress:
             found = compared_ways(Player(a), Player(b), progress=progress)
         names = input_names(a)
@@ -270,20 +269,6 @@ examples:
         missing = f"; {count_of(len(left), 'difference')} that no expectation shows" if left else ""
         sys.stderr.write(f"{written_files} written to {folder}{missing}\n")
         return 0
-
-    def _explored(self, side: str, path: str, switches: Mapping[str, object]) -> Exploration:
-        """Explore the program of one side on its machine, and the switches of the other one."""
-        given = GivenProgram.of(self, side, path)
-        source = given.source()
-        settings = {**switches, **without_world(given.settings())}
-        try:
-            with playing(source.name) as progress:
-                program = given.known_language().program(source, settings, is_debug=True)
-                program = program.with_values(given.overrides())
-                program.require()
-                return explore(program, settings, progress=progress)
-        except ProgramError as error:
-            raise Refused(error.diagnostics, source=source, file=path) from None
 
     def _has_own_b(self) -> bool:
         own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.cli.command import Refused, argument
+from motionlang.cli.command import argument
 from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.explore.playing import playing
-from motionlang.exploration import Exploration, causes_of, explore, lines_of, without_world
-from motionlang.kernel import ProgramError
+from motionlang.commands.explore.playing import explored_program
+from motionlang.exploration import Exploration, causes_of, lines_of
 from motionlang.views.table import Column, Document, Table
 
 
@@ -35,15 +34,7 @@ examples:
     file: str = argument("FILE", "the program; - reads standard input")
 
     def run(self) -> int:
-        source, settings = self.source(), without_world(self.settings())
-        program = self.known_language().program(source, settings, is_debug=True)
-        try:
-            with playing(source.name) as progress:
-                program = program.with_values(self.overrides())
-                program.require()
-                found = explore(program, settings, progress=progress, keeps=True)
-        except ProgramError as error:
-            raise Refused(error.diagnostics, source=source, file=self.file) from None
+        found = explored_program(self, keeps=True)
         self.show(_document(found), str(found))
         if found.interrupted is not None:
             SIGNALS.end_with(found.interrupted)

@@ -1,14 +1,17 @@
-"""The progress of an exploration on a terminal, and its end by Ctrl-C."""
+"""The exploration of a program that a command line names, its progress on a terminal, and its end by Ctrl-C."""
 
 from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 
+from motionlang.cli.command import Refused
+from motionlang.cli.option_groups import ProgramOptions
 from motionlang.cli.signals import SIGNALS
-from motionlang.exploration import Interrupted
+from motionlang.exploration import Exploration, Interrupted, explore, without_world
+from motionlang.kernel import ProgramError
 from motionlang.views.progress import Progress
 
 
@@ -23,3 +26,22 @@ def playing(name: str) -> Iterator[Progress]:
         raise
     finally:
         progress.done()
+
+
+def explored_program(
+    given: ProgramOptions, switches: Mapping[str, object] | None = None, *, keeps: bool = False
+) -> Exploration:
+    """Explore the program that a command line names; Refused if it has errors.
+
+    `switches` are those of its axes, where its machine has none; `keeps` is as for `explore`.
+    """
+    source = given.source()
+    settings = {**(switches or {}), **without_world(given.settings())}
+    try:
+        with playing(source.name) as progress:
+            program = given.known_language().program(source, settings, is_debug=True)
+            program = program.with_values(given.overrides())
+            program.require()
+            return explore(program, settings, progress=progress, keeps=keeps)
+    except ProgramError as error:
+        raise Refused(error.diagnostics, source=source, file=given.file) from None
