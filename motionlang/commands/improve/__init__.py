@@ -61,7 +61,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.lang import Literal, Structure, Use, canonical, number, number_text, replaced
 from motionlang.kernel.log import LoggedMove
-from motionlang.kernel.tools import nearest
+from motionlang.kernel.tools import bisected, nearest
 
 # The units of what is not changed: nothing, and the number of a choice.
 CHOICES = frozenset(("", "integer"))
@@ -345,7 +345,7 @@ class Improver:
         nearly = 0.02 * low + 0.98 * high
         if not is_enough(nearly):
             return high
-        high = _bisected(nearly, low, is_enough)
+        high = bisected(nearly, low, is_enough, STEPS)
         round_ = _roundest(high, 1.02 * high)
         return round_ if is_enough(round_) else high
 
@@ -382,7 +382,7 @@ class Improver:
         while high <= MAX_FACTOR and is_allowed(high):
             low, high = high, 2.0 * high
         if high <= MAX_FACTOR:
-            low = _bisected(low, high, is_allowed)
+            low = bisected(low, high, is_allowed, STEPS)
         return _rounded(literal.value * low, True) if low > 1.0 else literal.value
 
     def _proven(self, edits: Sequence[Edit]) -> list[Edit]:
@@ -617,7 +617,7 @@ class Improver:
                 made, reason = judged(factor)
                 return not reason and made <= cost * (1.0 + ENOUGH)
 
-            low = _bisected(low, slower, is_enough)
+            low = bisected(low, slower, is_enough, STEPS)
             high = 1.02 * low
         value, beyond = (was * each if grows else was / each for each in (low, high))
         round_ = _roundest(value, beyond)
@@ -740,14 +740,6 @@ def improver_of(
     return Improver(
         source, dialect_for(source, dialect), ExpectedWorld("", settings, expected), worlds, **given
     )
-
-
-def _bisected(good: float, bad: float, is_good: Callable[[float], bool]) -> float:
-    """Return the good value that is nearest to a bad one."""
-    for _ in range(STEPS):
-        middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if is_good(middle) else (good, middle)
-    return good
 
 
 def _limit_text(limit: CertifiedLimit) -> str:

@@ -52,7 +52,7 @@ def test_edits_that_change_a_printed_line_in_a_way_are_refused(cell: Cell) -> No
         "error[beyond-limit]: the edits change what the program does: start; input 1 (part) on: "
         "A axis 0 MOVER, cut off at 150.099 (stop), then 'CLAMP' after 0.00 s, "
         "B axis 0 to 200 at 200, then axis 0 to 0 at 200, then output 1 off and 586 more after 0.00 s "
-        "(line 8 of A, line 8 of B)\n"
+        "(line 8 of A, line 8 of B, in 2 ways)\n"
         "  hint: --hold SPEED[0]@3 keeps that number; --edits and --by make fewer edits\n"
     )
 
