@@ -30,9 +30,10 @@ SAID, WRONG = 2.0, 20.0
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
-# Words of what is wrong, but for a count of none: "0 bad", "no errors", "rejects: 0".
+# Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
+_NAMED = "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stopped"
 _WRONG = re.compile(
-    r"(?<!\b0 )(?<!\bno )(?:bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out)(?!\w*\W{1,3}0\b(?![.,]\d))",
+    rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,3}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
 )
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.

@@ -236,7 +236,8 @@ class Explorer:
             until = self._arrival(trial, rest)
             news |= self._link(source, back, how, reached.state, trial, since, until, known, is_over)
             is_over = False
-            source, back, how, since = reached, way, (), rest.end if rest.end < inf else trial.time
+            source, back, since = reached, way, rest.end if rest.end < inf else trial.time
+            how = _later(causes, visit, way, since)
         if trial.has_ended:
             news |= self._link(source, back, how, None, trial, since, trial.time, known, is_over)
         elif works_on:
@@ -423,6 +424,16 @@ def _urgency(left: tuple[StateNode, Departure]) -> tuple[bool, int, bool, int, i
         node.state is not None,
         len(visit.timeline) - len(visit.moved),
         len(visit.timeline),
+    )
+
+
+def _later(causes: Causes, visit: Visit, way: Visit, since: float) -> Causes:
+    """Return those of the changes of a visit that come in a move after a time, as changes of a later visit."""
+    times = ((each, visit.change_time + each.moment.delay) for each in causes if each.moment.line)
+    return tuple(
+        each._replace(moment=each.moment._replace(delay=round(time - way.change_time, 4)))
+        for each, time in times
+        if time > since
     )
 
 

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict, deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise
+from itertools import pairwise, product
 from math import fsum, inf
 from typing import NamedTuple
 
@@ -37,6 +37,7 @@ from motionlang.exploration.changes import (
     tables_of,
 )
 from motionlang.exploration.cycles import MachineCycle, wrong
+from motionlang.exploration.questions import PERIOD
 from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.roles import written
@@ -56,6 +57,8 @@ COMPARED = 6
 WHOLE = 300.0
 # So many cycles are played until one repeats, and of those that do not, so many are played in the world that it takes.
 PLAYED, EXPLAINED = 6, 2
+# An input that answers an output soon, s: some programs look only once.
+SOON = 0.1
 # A rest that is shorter than this, s, is over before a change comes.
 SHORT = 0.1
 # What happens so close to the ends of a rest, s, led there or leads on.
@@ -198,8 +201,8 @@ def played(
     for _ in range(times * len(policy) + EXTRA):
         found = explorer.rests(trial)
         due = next(_due(found, policy, at, before), None)
-        changes = () if due is None else _missing(policy[due.state], timeline)
-        if not changes:  # elsewhere, or the levels are there already: go round by other transitions
+        changes = () if due is None else _missing(policy[due.state], timeline) or _again(policy[due.state])
+        if not changes:  # elsewhere: go round by other transitions
             due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
             changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
         if due is None or (not changes and due.question is None):
@@ -249,6 +252,16 @@ def _missing(causes: Causes, timeline: Timeline) -> Causes:
         if not is_there or each.moment != AT_REST:
             missing.append(each)
     return tuple(missing)
+
+
+def _again(causes: Causes) -> Causes:
+    """Return changes to levels that are there already: the inputs go and come, since the program waits for an edge."""
+    moment = Moment(times=1, every=PERIOD)
+    return tuple(
+        each._replace(value=1.0 - each.value, moment=moment)
+        for each in causes
+        if each.table == "input" and isinstance(each.value, float)
+    )
 
 
 def _onward(explorer: Explorer, state: RestState, policy: Mapping[RestState | None, Causes]) -> Causes:
@@ -617,11 +630,13 @@ def _rules(
         yield along
     if len(changes) == 1 and changes[0][1]:
         yield {"channel": number, "at": round(changes[0][0], 1)}
-    latest = sorted(switched, key=lambda each: (each in blinking, lead(changes, switched[each]), each))
+    # What was changed together with another input may have come before the output that it follows.
+    later = [(time + DELAY, level) for time, level in changes]
+    latest = sorted(switched, key=lambda each: (each in blinking, lead(later, switched[each]), each))
     for output in latest if len(changes) > 1 else ():
-        for inverted in (0, 1):
-            if explains(changes, switched[output], inverted):
-                entry: Entry = {"channel": number, "output": output, "delay": DELAY}
+        for inverted, (moved, wait) in product((0, 1), ((changes, DELAY), (later, SOON))):
+            if explains(moved, switched[output], inverted):
+                entry: Entry = {"channel": number, "output": output, "delay": wait}
                 yield {**entry, "value": 0} if inverted else entry
     if len(changes) > 1:
         yield {"channel": number, "asked": DELAY}
