@@ -57,6 +57,7 @@ from motionlang.exploration.changes import (
     tables_of,
 )
 from motionlang.exploration.cycles import MachineCycle, cycles
+from motionlang.exploration.further import goes_further
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
@@ -110,6 +111,10 @@ __all__ = [
     "without_memory",
     "without_world",
 ]
+
+
+# So many times the search goes on behind what a long run in the world comes to.
+FURTHER = 6
 
 
 class PlayedTimeline(NamedTuple):
@@ -261,14 +266,18 @@ def explore(
     with the run, at Ctrl-C; with `keeps` the first one ends the search, and what was found is kept in `interrupted`.
     """
     explorer = Explorer(program, machine or {}, work, is_over, progress)
-    interrupted: Run | None = None
     try:
         explorer.explore()
+        found = Exploration(explorer)
+        for _ in range(FURTHER):
+            if explorer.trials.is_over or not goes_further(explorer, found.world):
+                break
+            explorer.explore()
+            found = Exploration(explorer)
     except Interrupted as at:
         if not keeps:
             raise
-        interrupted = at.result
-    found = Exploration(explorer, interrupted)
+        found = Exploration(explorer, at.result)
     explorer.progress = lambda share: None  # what is asked of the result is no part of it
     return found
 

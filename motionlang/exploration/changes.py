@@ -167,6 +167,13 @@ def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
     return dict(tables)
 
 
+def made_by(table: str, entry: Entry) -> tuple[float, Change]:
+    """Return the change that an entry makes, with its time; an answer has none."""
+    value: float | str = entry[_value_key(table)]  # type: ignore[assignment]
+    prompt, at = str(entry.get("prompt", "")), float(entry.get("at", 0.0))  # type: ignore[arg-type]
+    return at, Change(table, number_in(table, entry), value, prompt)
+
+
 def _value_key(table: str) -> str:
     return "text" if table in TEXTS else "value"
 

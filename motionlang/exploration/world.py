@@ -49,6 +49,8 @@ from motionlang.kernel.log import Printed, Switched
 
 # So often a cycle is played, with so many changes that lead back to it; it repeats if each of its lines does so often.
 TIMES, EXTRA, ENOUGH = 5, 3, 3
+# A cycle with something that only each fourth turn brings, such as a full layer, is played for so many times as long.
+SLOW = 5
 # Each input is described so often, since its rule may depend on those of the others.
 PASSES = 2
 # So many turns of a cycle are compared.
@@ -102,7 +104,8 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
             other = played(explorer, cycle, found_with, times=times)
             trial = max(trial, other, key=lambda each: _quality(cycle, each))
         is_right, count = _quality(cycle, trial)
-        if best is None or ((is_right, count) > best[:2] and cycle.repeats):
+        is_worse = best is not None and best[1] > 0 and wrong(cycle.said) > wrong(best[2].said)
+        if best is None or ((is_right, count) > best[:2] and cycle.repeats and not is_worse):
             best = is_right, count, cycle, trial
         if is_right and count >= min(times, ENOUGH):
             break
@@ -198,7 +201,10 @@ def played(
     before: RestState | None = None
     back: list[Change] = []
     trial = explorer.play(timeline, max(at, 0.0), is_due)
-    for _ in range(times * len(policy) + EXTRA):
+    most = times * len(policy) + EXTRA
+    for turn in range(SLOW * most):
+        if turn >= most and not 0 < _count(cycle, trial) < times:
+            break
         found = explorer.rests(trial)
         due = next(_due(found, policy, at, before), None)
         changes = () if due is None else _missing(policy[due.state], timeline) or _again(policy[due.state])

@@ -1,0 +1,63 @@
+"""What a machine comes to after many turns of its cycle: a full pallet, the end of a batch.
+
+Problem. A variable that counts is no part of a state, so nothing leads from the known states to what only the twelfth
+part brings.
+
+Idea. The world of the likeliest cycle is known by then. The program runs in it for a long time, and the changes of its
+inputs are a timeline like any other. Where that leads to a new state, or begins a statement that no transition has, the
+last change before is one of the state in which it came, and the search goes on behind it.
+"""
+
+from __future__ import annotations
+
+from motionlang.exploration.changes import TABLES, Change, Timeline, entries, made_by
+from motionlang.exploration.search import Explorer
+from motionlang.exploration.states import Visit
+from motionlang.exploration.world import WHOLE, FoundWorld
+
+
+def goes_further(explorer: Explorer, world: FoundWorld) -> bool:
+    """Take note of the first thing that is new in a long run in a world, and what may follow; False if nothing is."""
+    known, begun = set(explorer.nodes), _begun(explorer)
+    timeline = _timeline(explorer, world)
+    trial = explorer.play(timeline, 0.0)
+    rests = explorer.rests(trial)
+    news = [
+        *(rest.begin for rest in rests if rest.state not in known),
+        *(each.time for some in trial.statements.values() for each in some if each.at not in begun),
+    ]
+    changes = [at for at, _ in timeline if news and 0.0 < at <= min(news)]
+    at = changes[-1] if changes else 0.0
+    rest = next((each for each in reversed(rests) if each.begin <= at), None)
+    node = explorer.nodes.get(rest.state) if changes and rest is not None else None
+    if rest is None or node is None:
+        return False
+    moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
+    before = tuple(each for each in timeline if each[0] < at)
+    visit = Visit(before, rest.begin, moved=moved, question=rest.question)
+    causes = tuple(change for when, change in timeline if when == at)
+    explorer.take(node, visit, causes, explorer.changed(visit, causes))
+    return True
+
+
+def _timeline(explorer: Explorer, world: FoundWorld) -> Timeline:
+    """Return the changes of a long run in a world; of what comes when it is asked for, those of inputs."""
+    result = explorer.trials.run_in(world.settings, WHOLE)[0]
+    made = [
+        (each.time, Change("input", each.channel, float(each.value))) for each in result.machine.log.inputs
+    ]
+    others = [
+        made_by(table, entry)
+        for table in TABLES
+        if table != "input"
+        for entry in entries(world.settings, table)
+        if "asked" not in entry
+    ]
+    return tuple(sorted([*made, *others], key=lambda each: each[0]))
+
+
+def _begun(explorer: Explorer) -> set[int]:
+    """Return the statements of all transitions and states, and of the tasks beside the work."""
+    transitions = (each.begun for node in explorer.nodes.values() for each in node.transitions)
+    places = (place.statements for state in explorer.nodes for place in state or ())
+    return set(explorer.beside).union(*transitions, *places)
