@@ -199,10 +199,9 @@ def _verify(verdict: Verdict, also: Collection[str]) -> None:
         missing = f"no {os.path.basename(report)} next to it"
         checked = ["its text"] * ("check" in also) + ["its [[expect]] entries"] * (result is not None)
         further = further_files(verdict.name)
-        sweeps = sum(each.endswith(SWEEP_SUFFIX) for each in further)
-        checked += [count_of(len(further) - sweeps, "scenario")] * (len(further) > sweeps) + [
-            "a sweep"
-        ] * sweeps
+        scenarios = [each for each in further if not each.endswith(SWEEP_SUFFIX)]
+        checked += [count_of(len(scenarios), "scenario")] * bool(scenarios)
+        checked += ["a sweep"] * (len(further) > len(scenarios))
         checked += ["its limits"] * ("certify" in also and has_limits(verdict.name))
         verdict.has_golden = not checked
         if checked:
