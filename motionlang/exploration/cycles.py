@@ -23,7 +23,7 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
 MOVE, OUTPUT = 3.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
-# Work without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
+# Work of one line without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
 JOGGING = 5.0
 # A cycle that says something, and nothing of what is wrong, makes a piece; the more of it is wrong, the less it counts.
 SAID, WRONG = 2.0, 20.0
@@ -31,7 +31,7 @@ SAID, WRONG = 2.0, 20.0
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
-_NAMED = "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stopped"
+_NAMED = "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stopped|guard|emergency"
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,3}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
@@ -163,7 +163,9 @@ def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
             fastest[work.lines] = work
     for work in fastest.values():
         value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
-        value -= WRONG * bool(wrong(work.said)) + JOGGING * (not work.outputs and not work.said)
+        value -= WRONG * bool(wrong(work.said)) + JOGGING * (
+            len(work.lines) == 1 and not work.outputs and not work.said
+        )
         yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 
