@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from copy import copy
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, InitVar, dataclass, field
 from math import inf
 from typing import Any
 
@@ -105,6 +105,7 @@ class Actions:
     attribute: str = ""
 
 
+@dataclass(eq=False, repr=False)
 class Keyword:
     """One keyword of a motion language.
 
@@ -142,55 +143,51 @@ class Keyword:
     `word`     the name or the short form by which a program names it, for messages
     """
 
-    def __init__(
-        self,
-        name: str,
-        short: str,
-        kind: str,
-        access: str,
-        index: str,
-        unit: str,
-        actions: str | Actions,
-        help: str,
-        example: str = "",
-        *,
-        default: float | str | None = None,
-        low: float | None = None,
-        high: float | None = None,
-        below: bool = False,
-        group: str = "",
-        simulated: bool = True,
-        solved: bool = False,
-        effect: str = "",
-        gives: str = "",
-        changes: str = "",
-        tunes: str = "",
-        driven: str = "",
-        channel: str = "",
-        output: str = "",
-        reads: str = "",
-        selects: str = "",
-        waits: str = "",
-        tests: str = "",
-        topic: str = "",
-        meant: str = "",
-        family: str = "",
-        renamed: str = "",
-        every: bool = False,
-        optional: int = 0,
-    ) -> None:
-        self.name, self.short, self.kind, self.access, self.index = name, short, kind, access, index
-        self.word = name
-        self.actions = actions if isinstance(actions, Actions) else Actions(actions)
-        self.unit, self.function, self.help, self.example = unit, self.actions.function, help, example
-        self.default, self.low, self.high, self.below = default, low, high, below
-        self.group, self.simulated, self.solved = group, simulated, solved
-        self.effect, self.gives, self.changes, self.driven = effect, gives, changes, driven
-        self.tunes, self.meant, self.family, self.renamed = tunes, meant, family, renamed
-        self.every, self.optional = every, optional
-        self.channel, self.output, self.selects = channel or self._device(), output, selects
-        self.waits, self.reads = waits, reads or self._default_reads()
-        self.topic, self.tests = topic or self._default_topic(), tests
+    name: str
+    short: str
+    kind: str
+    access: str
+    index: str
+    unit: str
+    action: InitVar[str | Actions]
+    help: str
+    example: str = ""
+    _: KW_ONLY
+    default: float | str | None = None
+    low: float | None = None
+    high: float | None = None
+    below: bool = False
+    group: str = ""
+    simulated: bool = True
+    solved: bool = False
+    effect: str = ""
+    gives: str = ""
+    changes: str = ""
+    tunes: str = ""
+    driven: str = ""
+    channel: str = ""
+    output: str = ""
+    reads: str = ""
+    selects: str = ""
+    waits: str = ""
+    tests: str = ""
+    topic: str = ""
+    meant: str = ""
+    family: str = ""
+    renamed: str = ""
+    every: bool = False
+    optional: int = 0
+    word: str = field(init=False)
+    actions: Actions = field(init=False)
+    function: str = field(init=False)
+
+    def __post_init__(self, action: str | Actions) -> None:
+        self.word = self.name
+        self.actions = action if isinstance(action, Actions) else Actions(action)
+        self.function = self.actions.function
+        self.channel = self.channel or self._device()
+        self.reads = self.reads or self._default_reads()
+        self.topic = self.topic or self._default_topic()
 
     @property
     def is_whole(self) -> bool:

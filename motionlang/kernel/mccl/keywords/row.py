@@ -89,53 +89,11 @@ class Group:
         action: Actions | Callable[..., Any],
         help: str,
         example: str,
-        *,
-        default: float | str | None = None,
-        low: float | None = None,
-        high: float | None = None,
-        below: bool = False,
-        tunes: str = "",
-        channel: str = "",
-        reads: str = "",
-        output: str = "",
-        selects: str = "",
-        waits: str = "",
-        tests: str = "",
-        topic: str = "",
-        effect: str = "",
-        gives: str = "",
-        meant: str = "",
-        family: str = "",
+        **columns: Any,
     ) -> Keyword:
-        """Return one simulated command, called by the name of its function."""
-        return Keyword(
-            name,
-            "",
-            kind,
-            access,
-            index,
-            unit,
-            action if isinstance(action, Actions) else Actions(action.__name__, do=action),
-            help,
-            example,
-            default=default,
-            low=low,
-            high=high,
-            below=below,
-            group=self.title,
-            tunes=tunes,
-            channel=channel,
-            reads=reads,
-            output=output,
-            selects=selects,
-            waits=waits,
-            tests=tests,
-            topic=topic,
-            effect=effect,
-            gives=gives,
-            meant=meant,
-            family=family,
-        )
+        """Return one simulated command, called by the name of its function; `columns` are further ones of `Keyword`."""
+        made = action if isinstance(action, Actions) else Actions(action.__name__, do=action)
+        return Keyword(name, "", kind, access, index, unit, made, help, example, group=self.title, **columns)
 
     def known(self, name: str, kind: str, index: str, help: str) -> Keyword:
         """Return a command that is recognized and answered as not simulated."""
