@@ -44,7 +44,9 @@ def _timeline(explorer: Explorer, world: FoundWorld) -> Timeline:
     """Return the changes of a long run in a world; of what comes when it is asked for, those of inputs."""
     result = explorer.trials.run_in(world.settings, WHOLE)[0]
     made = [
-        (each.time, Change("input", each.channel, float(each.value))) for each in result.machine.log.inputs
+        (each.time, Change("input", each.channel, float(each.value)))
+        for each in result.machine.log.inputs
+        if ("input", each.channel) not in explorer.given
     ]
     others = [
         made_by(table, entry)
