@@ -114,8 +114,9 @@ __all__ = [
 ]
 
 
-# So many times the search goes on behind what a long run in the world comes to.
-FURTHER = 6
+# The share of the work before a long run in the world, and those behind what such runs come to; what is left is for the
+# rest.
+FIRST, BEHIND = 0.6, (0.1, 0.1, 0.1, 0.1)
 
 
 class PlayedTimeline(NamedTuple):
@@ -268,12 +269,12 @@ def explore(
     """
     explorer = Explorer(program, machine or {}, work, is_over, progress)
     try:
-        explorer.explore()
-        found = Exploration(explorer)
-        for _ in range(FURTHER):
-            if explorer.trials.is_over or not goes_further(explorer, found.world):
-                break
-            explorer.explore()
+        explorer.explore(FIRST * work)
+        found, shares = Exploration(explorer), [*BEHIND]
+        while shares and not is_over() and goes_further(explorer, found.world):
+            explorer.explore(shares.pop() * work)
+            found = Exploration(explorer)
+        if shares and explorer.explore(sum(shares) * work):
             found = Exploration(explorer)
     except Interrupted as at:
         if not keeps:

@@ -19,33 +19,34 @@ from motionlang.exploration.world import WHOLE, FoundWorld
 def goes_further(explorer: Explorer, world: FoundWorld) -> bool:
     """Take note of the first thing that is new in a long run in a world, and what may follow; False if nothing is."""
     known, begun = set(explorer.nodes), _begun(explorer)
+    trial = explorer.trials.play_in(world.settings, WHOLE)
     timeline = _timeline(explorer, world)
-    trial = explorer.play(timeline, 0.0)
     rests = explorer.rests(trial)
     news = [
         *(rest.begin for rest in rests if rest.state not in known),
         *(each.time for some in trial.statements.values() for each in some if each.at not in begun),
     ]
-    changes = [at for at, _ in timeline if news and 0.0 < at <= min(news)]
-    at = changes[-1] if changes else 0.0
-    rest = next((each for each in reversed(rests) if each.begin <= at), None)
-    node = explorer.nodes.get(rest.state) if changes and rest is not None else None
-    if rest is None or node is None:
-        return False
-    moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
-    before = tuple(each for each in timeline if each[0] < at)
-    visit = Visit(before, rest.begin, moved=moved, question=rest.question)
-    causes = tuple(change for when, change in timeline if when == at)
-    explorer.take(node, visit, causes, explorer.changed(visit, causes))
-    return True
+    for time in sorted(news):
+        at = max((at for at, _ in timeline if at <= time), default=0.0)
+        rest = next((each for each in reversed(rests) if each.begin <= at), None)
+        node = explorer.nodes.get(rest.state) if at > 0.0 and rest is not None else None
+        if rest is None or node is None:
+            continue
+        moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
+        before = tuple(each for each in timeline if each[0] < at)
+        visit = Visit(before, rest.begin, moved=moved, question=rest.question)
+        causes = tuple(change for when, change in timeline if when == at)
+        if visit.changed(causes) not in explorer.tried:
+            explorer.take(node, visit, causes, explorer.changed(visit, causes))
+            return True
+    return False
 
 
 def _timeline(explorer: Explorer, world: FoundWorld) -> Timeline:
-    """Return the changes of a long run in a world; of what comes when it is asked for, those of inputs."""
-    result = explorer.trials.run_in(world.settings, WHOLE)[0]
+    """Return the changes of the last run, in a world; of what comes when it is asked for, those of inputs."""
     made = [
         (each.time, Change("input", each.channel, float(each.value)))
-        for each in result.machine.log.inputs
+        for each in explorer.trials.last.machine.log.inputs
         if ("input", each.channel) not in explorer.given
     ]
     others = [

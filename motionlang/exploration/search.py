@@ -44,7 +44,7 @@ class Explorer:
         self,
         program: Program,
         machine: Mapping[str, object],
-        most: int = MAX_WORK,
+        whole: int = MAX_WORK,
         is_over: Callable[[], bool] = lambda: False,
         progress: Callable[[float], object] = lambda share: None,
     ) -> None:
@@ -53,8 +53,8 @@ class Explorer:
         if target.model:
             kept.setdefault("controller.model", target.model)
         self.switches = FoundSwitches(kept)
-        self.progress = progress
-        self.trials = Trials(program, kept, most, is_over)
+        self.progress, self.whole = progress, whole
+        self.trials = Trials(program, kept, whole, is_over)
         self.program = program = self.trials.program
         self.nodes: dict[RestState | None, StateNode] = {}
         # What a person has given does not change.
@@ -105,7 +105,7 @@ class Explorer:
     ) -> Trial:
         """Run the program with a timeline, and with what leaves no choice; see `Trials.play`."""
         while True:
-            self.progress(min(self.trials.work / self.trials.most, 1.0))
+            self.progress(min(self.trials.work / self.whole, 1.0))
             trial = self.trials.play(timeline, since, is_settled)
             for at, channels in trial.readings.items():
                 read = list(channels) if len(channels) <= questions.MAX_READ else self.banks.get(at, ())
@@ -136,20 +136,25 @@ class Explorer:
 
     # ----------------------------------------------------------------------------------------------- searching
 
-    def explore(self) -> None:
-        """Find the states and the transitions."""
-        start = self.nodes[None] = StateNode(None, Visit((), -DELAY))
-        trial = self.play((), 0.0)
-        rest = self.arrive(start, start.first, (), trial)[1]
-        start.left = [Departure(start.first, questions.at_power_up(self, trial, rest))]
+    def explore(self, work: float) -> bool:
+        """Find more states and transitions, by so much work; False if nothing is left to try."""
+        self.trials.most = self.trials.work + work
+        if not self.nodes:
+            start = self.nodes[None] = StateNode(None, Visit((), -DELAY))
+            trial = self.play((), 0.0)
+            rest = self.arrive(start, start.first, (), trial)[1]
+            start.left = [Departure(start.first, questions.at_power_up(self, trial, rest))]
+        has_tried = False
         while not self.trials.is_over:
             self._forget()
             left = [(node, departure) for node in self.nodes.values() for departure in node.left]
             if not left:
-                return
+                break
+            has_tried = True
             node, departure = min(left, key=_urgency)
             node.left.remove(departure)
             self._leave(node, departure)
+        return has_tried
 
     def _leave(self, node: StateNode, departure: Departure) -> None:
         """Try the changes of a departure; what leads to something new is tried again with one more change."""

@@ -157,7 +157,7 @@ class Trials:
         self,
         program: Program,
         base: Mapping[str, object],
-        most: int,
+        most: float,
         is_over: Callable[[], bool] = lambda: False,
     ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
@@ -263,6 +263,14 @@ class Trials:
         if result.status == "interrupted":
             raise Interrupted(result)
         return result
+
+    def play_in(self, tables: Mapping[str, object], until: float) -> Trial:
+        """Run the program with some tables of the machine file up to a time, or as long as a trial may be."""
+        self.count += 1
+        recorder = TrialRecorder(self.memory.all, self._written, self._switches, 0.0)
+        self.last = self._run(tables, until, recorder)
+        self._note_work(recorder)
+        return _trial((), 0.0, self.last, recorder, self.base)
 
     def run_in(self, tables: Mapping[str, object], until: float | None = None) -> tuple[Run, set[int]]:
         """Run the program with some tables of the machine file up to a time, and return what has begun, too.

@@ -91,7 +91,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     A cycle that ends after a turn or two, such as a batch of one, may go on in the world of these turns.
     Without a cycle it is the world in which the program comes furthest.
     """
-    best: tuple[bool, int, MachineCycle, Trial] | None = None
+    best: tuple[tuple[bool, bool, int], MachineCycle, Trial] | None = None
     explained = 0
     for cycle in likeliest[:PLAYED]:
         trial = played(explorer, cycle, times=times)
@@ -99,15 +99,15 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         if has_level and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
             back = played(explorer, cycle, times=times, goes_back=True)
             trial = max(trial, back, key=lambda each: _count(cycle, each))
-        found_with = _found_with(cycle)
-        if found_with and cycle.repeats and _quality(cycle, trial) < (True, min(times, ENOUGH)):
+        found_with, wanted = _found_with(cycle), (True, True, min(times, ENOUGH))
+        if found_with and cycle.repeats and _quality(cycle, trial) < wanted:
             other = played(explorer, cycle, found_with, times=times)
             trial = max(trial, other, key=lambda each: _quality(cycle, each))
-        is_right, count = _quality(cycle, trial)
-        is_worse = best is not None and best[1] > 0 and wrong(cycle.said) > wrong(best[2].said)
-        if best is None or ((is_right, count) > best[:2] and cycle.repeats and not is_worse):
-            best = is_right, count, cycle, trial
-        if is_right and count >= min(times, ENOUGH):
+        quality, count = _quality(cycle, trial), _count(cycle, trial)
+        is_worse = best is not None and best[0][0] and wrong(cycle.said) > wrong(best[1].said)
+        if best is None or (quality > best[0] and cycle.repeats and not is_worse):
+            best = quality, cycle, trial
+        if quality >= wanted:
             break
         if 0 < count < times and cycle.repeats and cycle.work and explained < EXPLAINED:
             # The changes of the next turn are other ones, but they may be the same answers.
@@ -118,8 +118,8 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     if best is None:
         furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
         trial = explorer.play(furthest.timeline, 0.0)
-        best = True, 0, MachineCycle((), furthest, (), frozenset(), 0.0), trial
-    _, count, cycle, trial = best
+        best = (False, True, 0), MachineCycle((), furthest, (), frozenset(), 0.0), trial
+    (*_, count), cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
 
 
@@ -162,10 +162,11 @@ def _count(cycle: MachineCycle, trial: Trial) -> int:
     return min((counts[line] for line in cycle.work), default=0)
 
 
-def _quality(cycle: MachineCycle, trial: Trial) -> tuple[bool, int]:
-    """Return if a trial says nothing that is wrong, or the cycle does, and how often it has come through the cycle."""
+def _quality(cycle: MachineCycle, trial: Trial) -> tuple[bool, bool, int]:
+    """Return if a trial has come through a cycle, if it says nothing wrong unless the cycle does, and how often."""
+    count = _count(cycle, trial)
     said = (each.text for each in trial.prints if each.time >= cycle.visit.time)
-    return bool(wrong(cycle.said)) or not wrong(said), _count(cycle, trial)
+    return count > 0, bool(wrong(cycle.said)) or not wrong(said), count
 
 
 def _found_with(cycle: MachineCycle) -> Causes:

@@ -44,7 +44,7 @@ def test_an_exploration_ends_when_its_work_is_done() -> None:
     language = dialect_of(path.name)
     assert language is not None
     program = language.program(Source.read(path), is_debug=True)
-    little = explore(program, work=1000)
+    little = explore(program, work=300)
     assert not little.is_whole
     assert len(little.nodes) < len(explore(program).nodes)
 
