@@ -24,7 +24,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, combinations, product
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.exploration.changes import AT_REST, TEXTS, Change, Channel, Moment, levels_at
 from motionlang.exploration.rests import BODY, EXACT, SHORTEST_REST, Rest
@@ -37,6 +37,7 @@ from motionlang.exploration.values import (
     level_of_bit,
     probes_of,
     solved,
+    turns,
     usual_answers,
 )
 
@@ -57,7 +58,7 @@ MAX_READ = 8
 
 def at_power_up(explorer: Explorer, trial: Trial, rest: Rest | None) -> Iterator[Causes]:
     """Yield the changes at power-up: of each input that is read before the first rest."""
-    read = _read_before(explorer, trial, rest)
+    read = _read_before(explorer, trial, rest, Way(explorer.nodes[None].first, (), trial))
     yield from ((_flipped(each, {}),) for each in read if each[0] == "input")
 
 
@@ -112,7 +113,7 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
     """Yield the changes of several channels that one statement of a state has read."""
     levels = visit.levels
     for at, read in list(node.reads.items()):
-        channels = _that_matter(explorer, visit, at, list(read))
+        channels = _that_matter(explorer, Way(visit), at, list(read))
         choices = [each for channel in channels if (each := _choices(node, channel, levels))]
         # No comparison has used these numbers yet: the rest of the condition decides first.
         unsolved = [each for each in channels if each[0] not in ("input", *TEXTS) and each not in node.solved]
@@ -132,7 +133,8 @@ def behind(
     explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, trial: Trial, rest: Rest | None
 ) -> Iterator[Causes]:
     """Yield changes that lead on with one more channel that was read behind them, until the next rest."""
-    yield from with_more(explorer, node, visit, causes, _read_before(explorer, trial, rest))
+    read = _read_before(explorer, trial, rest, Way(visit, causes, trial))
+    yield from with_more(explorer, node, visit, causes, read)
 
 
 def with_more(
@@ -150,7 +152,12 @@ def with_more(
 
 
 def _read(
-    explorer: Explorer, trial: Trial, since: float, until: float, without: frozenset[int] = frozenset()
+    explorer: Explorer,
+    trial: Trial,
+    since: float,
+    until: float,
+    without: frozenset[int] = frozenset(),
+    way: Way | None = None,
 ) -> list[Channel]:
     """Return the channels that a trial has read between two times, but for some statements."""
     found: dict[Channel, None] = {}
@@ -161,47 +168,56 @@ def _read(
             if any(since - EXACT <= each.last and each.first <= until for each in spans)
         ]
         if read and at not in without:
-            found |= dict.fromkeys(_that_matter(explorer, None, at, read))
+            found |= dict.fromkeys(_that_matter(explorer, way, at, read))
     return list(found)
 
 
-def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None) -> list[Channel]:
+def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: Way) -> list[Channel]:
     """Return the channels that lead to a rest: those that other statements than its own have read until then."""
     until = inf if rest is None else rest.begin + BODY
     places = frozenset[int]().union(*(each.statements for each in (rest.state if rest else ())))
-    return _read(explorer, trial, trial.since, until, places)
+    return _read(explorer, trial, trial.since, until, places, way)
 
 
 def _channels(explorer: Explorer, node: StateNode, visit: Visit) -> list[Channel]:
     """Return the channels that were read in a state; of a bank those that matter."""
-    read = [_that_matter(explorer, visit, at, list(channels)) for at, channels in list(node.reads.items())]
+    read = [
+        _that_matter(explorer, Way(visit), at, list(channels)) for at, channels in list(node.reads.items())
+    ]
     return list(dict.fromkeys(chain.from_iterable(read)))
 
 
-def _that_matter(explorer: Explorer, visit: Visit | None, at: int, read: Sequence[Channel]) -> list[Channel]:
+class Way(NamedTuple):
+    """Changes that are made at a visit, and the trial with them; none is the stay itself."""
+
+    visit: Visit
+    causes: Causes = ()
+    trial: Trial | None = None
+
+
+def _that_matter(explorer: Explorer, way: Way | None, at: int, read: Sequence[Channel]) -> list[Channel]:
     """Return the channels of a statement that no person has given; of a bank those that need their other level.
 
-    They are found by halves, by the comparisons that differ.
-
-    Where a bank is only read on the way, `visit` is None: its inputs are not known before a state reads it.
+    They are found by halves, by the comparisons that differ on the `way`; without one no inputs of a bank are known
+    before a state or a way reads it.
     """
     free = [each for each in read if each not in explorer.given]
     if len(free) <= MAX_READ:
         return free
-    if at not in explorer.banks and visit is None:
+    if at not in explorer.banks and way is None:
         return []
-    if at not in explorer.banks and visit is not None:
-        levels = visit.levels
-        usual = compared_in(explorer.play(visit.timeline, 0.0))
-        left, found = [free], list[Channel]()
+    if at not in explorer.banks and way is not None:
+        levels, changed = way.visit.levels, {each.channel for each in way.causes}
+        usual = compared_in(way.trial or explorer.play(way.visit.timeline, 0.0))
+        left, found = [[each for each in free if each not in changed]], list[Channel]()
         while left and not explorer.trials.is_over:
             some = left.pop()
             changes = tuple(_flipped(each, levels) for each in some)
-            new = compared_in(explorer.changed(visit, changes)) - usual
+            new = compared_in(explorer.changed(way.visit, tuple(sorted((*way.causes, *changes))))) - usual
             if not new:
                 continue
             if len(some) == 1:
-                if level_of_bit(usual, new) == changes[0].value:
+                if level_of_bit(usual, new) == changes[0].value or turns(usual, new):
                     found.append(some[0])
             else:
                 middle = len(some) // 2

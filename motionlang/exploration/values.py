@@ -114,6 +114,14 @@ def level_of_bit(usual: Compared, new: Compared) -> float:
     return 1.0
 
 
+def turns(usual: Compared, new: Compared) -> bool:
+    """True if a comparison of numbers has another result than usual."""
+    return any(
+        (side > other) - (side < other) != (before > other) - (before < other)
+        for side, before, other in _differing(usual, new)
+    )
+
+
 def _differing(usual: Compared, new: Compared) -> Iterator[tuple[float, float, float]]:
     """Yield a side that differs, its usual value, and the other side, which are numbers."""
     for at, (left, right) in sorted(new, key=str):
