@@ -10,6 +10,8 @@ last change before is one of the state in which it came, and the search goes on 
 
 from __future__ import annotations
 
+from bisect import bisect_right
+
 from motionlang.exploration.changes import TABLES, Change, Timeline, entries, made_by
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import Visit
@@ -26,15 +28,16 @@ def goes_further(explorer: Explorer, world: FoundWorld) -> bool:
         *(rest.begin for rest in rests if rest.state not in known),
         *(each.time for some in trial.statements.values() for each in some if each.at not in begun),
     ]
-    for time in sorted(news):
-        at = max((at for at, _ in timeline if at <= time), default=0.0)
-        rest = next((each for each in reversed(rests) if each.begin <= at), None)
-        node = explorer.nodes.get(rest.state) if at > 0.0 and rest is not None else None
-        if rest is None or node is None:
+    begins, times = [rest.begin for rest in rests], [at for at, _ in timeline]
+    for k in sorted({bisect_right(times, time) for time in news} - {0}):
+        at = times[k - 1]
+        stay = rests[max(bisect_right(begins, at) - 1, 0)] if rests and at > 0.0 else None
+        node = explorer.nodes.get(stay.state) if stay is not None else None
+        if stay is None or node is None:
             continue
-        moved = frozenset(each.line for each in trial.motions if each.begin <= rest.begin)
+        moved = frozenset(each.line for each in trial.motions if each.begin <= stay.begin)
         before = tuple(each for each in timeline if each[0] < at)
-        visit = Visit(before, rest.begin, moved=moved, question=rest.question)
+        visit = Visit(before, stay.begin, moved=moved, question=stay.question)
         causes = tuple(change for when, change in timeline if when == at)
         if visit.changed(causes) not in explorer.tried:
             explorer.take(node, visit, causes, explorer.changed(visit, causes))
