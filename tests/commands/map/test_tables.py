@@ -44,6 +44,10 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
             "input 0 key switch, input 5 jog +, input 6 jog -",
         ),
         ("' IN1 jog X+ IN2 jog X- IN3 recipe, 00 = none", "input 1 jog X+, input 2 jog X-, input 3 recipe"),
+        ("REM IN 3 nest 1 bottle    4 filler up", "input 3 nest 1 bottle, input 4 filler up"),
+        ("; in 1 up to speed 2 guard   3 bar", "input 1 up to speed, input 2 guard, input 3 bar"),
+        ("' IN 4 state: 0 idle 1 busy", "input 4 state"),
+        ("' IN 4 1 = new order, 2 = abort", ""),
         ("' wait 5 seconds for the 2 clamps", ""),
         ("' Rev C  11/2003", ""),
     ],
@@ -64,6 +68,72 @@ def names(comment: str) -> list[str]:
     named += [f"axis {each.axis} {each.name}" for each in found.axes if each.name]
     named += [f"register {each.name} {each.meaning}" for each in found.variables if each.meaning]
     return sorted(named, key=lambda each: comment.find(each.split(" ", 2)[2]))
+
+
+# Lists below each other and side by side, with the names that they give.
+LISTS = """
+' IN  0 ram at bottom       OUT 0 press clutch
+'     1 ram at top              1 lubricate
+'                               2 box full lamp
+'     3 stop (event)
+= input 0 ram at bottom, output 0 press clutch, input 1 ram at top, output 1 lubricate, output 2 box full lamp,
+= input 3 stop (event)
+
+REM Inputs               Outputs
+REM
+REM  0 housing in nest    0 clamp
+REM  1 nest 1 bottle      1 screwdriver
+= input 0 housing in nest, output 0 clamp, input 1 nest 1 bottle, output 1 screwdriver
+
+	' INPUTS (24 V):	OUTPUTS:
+	' --------------	--------
+	' 0 = guard		0 = lamp
+= input 0 guard, output 0 lamp
+
+; in  1 door          out 3 lamp
+;     2 lid closed now  4 horn
+; a number behind one blank, at that of the column
+; in  1 door      out 3 lamp
+;     2 lid shut      4 horn
+= input 1 door, output 3 lamp, input 2 lid closed now, output 4 horn
+
+' IN 0 door          OUT 0 lamp
+' IN 1 lid           OUT 1 horn
+'    2 nest full         2 clamp
+= input 0 door, output 0 lamp, input 1 lid, output 1 horn, input 2 nest full, output 2 clamp
+
+' the second row may go on with the text of the first: it has no names
+' IN 0 door   IN 1 lid   OUT 2 lamp
+'    3 horn    4 clamp
+'    5 fan
+= input 0 door, input 1 lid, output 2 lamp
+
+' between two columns, and of a line that has a word itself
+' IN 0 door          OUT 0 lamp
+'           1 lid
+' IN 2 nest          3 horn
+= input 0 door, output 0 lamp, input 2 nest
+
+' OUT 0 clamp 1 spindle
+'     2 coolant 3 horn
+= output 0 clamp, output 1 spindle, output 2 coolant, output 3 horn
+
+' OUT 0 clamp
+'     1 nest 2 full
+'     2 nest 3 full
+= output 0 clamp, output 1 nest 2 full, output 2 nest 3 full
+
+' IN 0 key switch, 1 = automatic
+'    2 = manual, 3 = test
+= input 0 key switch
+"""
+
+
+@cases("lines", [each.strip("\n") for each in LISTS.split("\n\n")])
+def test_names_in_lists(lines: str) -> None:
+    comment = "\n".join(each for each in lines.splitlines() if not each.startswith("="))
+    wanted = " ".join(each[2:] for each in lines.splitlines() if each.startswith("="))
+    assert ", ".join(names(comment)) == wanted
 
 
 def test_the_mark_of_a_comment_is_no_part_of_a_name() -> None:
