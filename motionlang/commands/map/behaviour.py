@@ -194,6 +194,7 @@ class _Words:
                     self._names.setdefault(state, name)
         for state, name in lines.items():
             self._names.setdefault(state, f"{name} ({statements_of(state or (), structure)})")
+        self._commanding = {each.line for each in structure.statements.values() if not each.is_silent}
         # The handlers that the change of a channel starts, by the name of the channel.
         self.started = {
             f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
@@ -316,8 +317,14 @@ class _Words:
         return f"{found}, with {' and '.join(differing)}" if differing else found
 
     def run(self, each: Transition) -> frozenset[int]:
-        """Return the lines that a transition runs."""
-        return frozenset(map(self.structure.line, each.begun))
+        """Return the lines that a transition runs; a line with commands does not run where its macro is defined."""
+        statements = self.structure.statements
+        return frozenset(
+            line
+            for at in each.begun
+            if (line := self.structure.line(at)) not in self._commanding
+            or not (at in statements and statements[at].is_silent)
+        )
 
     def then(self, each: Transition) -> list[str]:
         return [self.names.act(act) for act in each.acts]

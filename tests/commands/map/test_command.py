@@ -247,6 +247,20 @@ def test_a_line_with_the_states_and_ways_in_which_it_runs(program: Cell) -> None
     assert "--line and --no-run exclude each other" in program("map", "a.mnt", "--line", "4", "--no-run").err
 
 
+def test_a_line_in_none_of_the_states_and_ways(cell: Cell) -> None:
+    cell.write("a.mnt", "Const _N = 1\nn = _N\nPAUSE n > 1\nPRINT n\n")
+    assert cell("map", "a.mnt", "--line", "1").out == "line 1: Const _N = 1\n  has no statement of its own\n"
+    assert cell("map", "a.mnt", "--line", "4").out == "line 4: PRINT n\n  never ran in what was played\n"
+
+
+def test_a_line_of_a_macro_runs_where_its_commands_do(cell: Cell) -> None:
+    cell.write("a.mcl", "MD3,CN4,CF4\nMD5,CN6,RP\nMD7,WN1,MC3,WF1,MJ7\nMJ7\n")
+    states = [each for each in cell("map", "a.mcl", "--line", "1").out.splitlines() if "waits" in each]
+    assert [each.partition(" (")[0] for each in states] == ["waits in 3: WN1   [input 1]"]
+    assert "power-up" not in cell("map", "a.mcl", "--line", "1").out
+    assert cell("map", "a.mcl", "--line", "2").out == "line 2: MD5,CN6,RP\n  never ran: nothing leads here\n"
+
+
 def test_what_variables_are_set_to_and_which_inputs_are_active_low(cell: Cell) -> None:
     cell.write(
         "a.mnt",

@@ -198,10 +198,20 @@ def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False, 
     handlers = [each for each in behaviour.handlers if line in each.lines]
     found += _handlers(handlers, width, colour, has_all)
     if len(found) == 1:
-        never = next((each for each in behaviour.unreached if each.first <= line <= each.last), None)
-        why = f": {never.why}" if never is not None and never.why else ""
-        found.append(f"  never ran{why}" if never is not None else "  has no statement of its own")
+        found.append(f"  {_why_in_none(made, behaviour, line)}")
     return "\n".join(found) + "\n"
+
+
+def _why_in_none(made: ProgramMap, behaviour: MachineBehaviour, line: int) -> str:
+    """Return why a line is in none of the states and ways."""
+    never = next((each for each in behaviour.unreached if each.first <= line <= each.last), None)
+    if never is not None and never.why:
+        return f"never ran: {never.why}"
+    if not any(each.line == line and not each.is_silent for each in made.structure.statements.values()):
+        return "has no statement of its own"
+    if line in behaviour.exploration.missed:
+        return "never ran in what was played"
+    return "ran in what was played, but in none of the states and ways"
 
 
 def unit_text(made: ProgramMap, unit: Unit, *, width: int, colour: bool = False) -> str:
