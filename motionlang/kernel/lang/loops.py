@@ -279,6 +279,9 @@ class Loops:
             and task.futile_after != acted
             and dependencies.until(began - CLOSE, notes[first:]) == INFINITY
         ):
+            asking = self.machine.controller.asking
+            if asking is not None:
+                asking.repeats(began, self.time.at(t))
             self._is_futile(task)
         task.last_own = now
         task.since = dependencies.notes, len(dependencies.notes or ()), self.time.at(t)

@@ -17,6 +17,8 @@ If there are none, or it cannot be known, it changes to its other level. If anot
 the present level, the change is made once that one no longer asks.
 
 Invariants.
+- A query ends with each change of its value, whoever makes or sees it. So a rule acts no sooner than its time after the
+  last change, and a statement that is passed once between two changes does not poll.
 - Nothing polls: a query schedules one event of the clock, when its asking is known, and reads find out the rest. A
   further read of a wait costs no more than two lookups.
 - An event is scheduled before a loop can be skipped. Iterations that are skipped count as reads (`skipped`).
@@ -162,6 +164,12 @@ class Responder:
             else:
                 del self.polls[query.task, query.stack]
 
+    def drop_outdated(self, value: object) -> None:
+        """Forget the queries that began before the value changed to the present one."""
+        for each in self.queries():
+            if each.value != value:
+                self.drop(each)
+
 
 class Asking:
     """The answers of a machine when it is asked, and the tasks that have started its axes."""
@@ -272,6 +280,7 @@ class Asking:
                     self._schedule(responder, query)
                 return
             responder.drop(query)
+        responder.drop_outdated(value)
         if self._is_moving(task):
             return
         now = self._clock.now
@@ -374,6 +383,7 @@ class Asking:
             rule.until = now + rule.length
         rule.stimulus.count += 1
         responder.put(rule, value)
+        responder.drop_outdated(responder.current())
         return False
 
     def _needs_other(self, responder: Responder, query: Query) -> bool:
