@@ -294,6 +294,17 @@ def _asked_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         if name == "value":
             hint = "it changes to its other level; level = 1 lets it change to that one only"
         yield f"{name} of [[{table}]] has no effect with asked", hint, name
+    asked = entry["asked"]
+    if "times" not in entry and not _kind_problem("positive", asked) and asked < SHORTEST_PERIOD:  # type: ignore[operator]
+        yield _too_often(table, "asked", asked)
+
+
+def _too_often(table: str, name: str, value: object) -> tuple[str, str, str]:
+    return (
+        f"{name} of [[{table}]] must be at least {SHORTEST_PERIOD:.10g} s without times, not {shown(value)}",
+        "times = 1000 says how often it happens",
+        name,
+    )
 
 
 def _again_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:
@@ -320,11 +331,7 @@ def _again_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
     spans = isinstance(between, list) and _is_pair(between)
     last = between[1] - between[0] if spans else length  # type: ignore[index]
     if "times" not in entry and every < SHORTEST_PERIOD:  # type: ignore[operator]
-        yield (
-            f"every of [[{table}]] must be at least {SHORTEST_PERIOD:.10g} s without times, not {shown(every)}",
-            "times = 1000 says how often it happens",
-            "every",
-        )
+        yield _too_often(table, "every", every)
     elif not _kind_problem("number", last) and every <= last:  # type: ignore[operator]
         yield f"[[{table}]] repeats before it ends", f"every must be more than {last:.10g}", "every"
 
