@@ -5,7 +5,7 @@ Problem. A condition may need an input, a number, a key, or several of them at o
 Idea. What was read decides. A statement that has read a channel while the state lasted may wait for it, so that channel
 changes: an input to its other level, a number to the values at which the comparisons turn that follow (`values.py`).
 
-    one by one         each channel that was read, and each input that starts a handler
+    one by one         each channel that was read, and each input or number of a host that starts a handler
     of conditions      the channels of one statement together: two of them, then three
     behind             what led on, with one more channel that was read on the way, such as a look that decides
     with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
@@ -34,6 +34,7 @@ from motionlang.exploration.values import (
     ANSWERS,
     compared_in,
     counts,
+    first_write,
     level_of_bit,
     probes_of,
     solved,
@@ -73,7 +74,9 @@ def one_by_one(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Ca
     if visit.question is not None:
         yield from _answers(explorer, node, visit)
         return
-    for channel in read:
+    for channel in explorer.started_by:  # the write starts the handler, whatever the value
+        yield (first_write(channel),)
+    for channel in dict.fromkeys((*read, *explorer.started_by)):
         if channel[0] not in ("input", *TEXTS[1:]):
             yield from _values(explorer, node, visit, channel)
 

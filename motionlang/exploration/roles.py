@@ -36,6 +36,12 @@ def triggers_of(units: Iterable[Unit]) -> set[int]:
     }
 
 
+def numbers_that_start(units: Iterable[Unit]) -> set[Channel]:
+    """Return the channels with more than two levels that start handlers, such as elements that a host writes."""
+    found = (_channel_of(each) for unit in units for each in unit.triggers)
+    return {each for each in found if each is not None}
+
+
 def beside_work(structure: Structure) -> frozenset[int]:
     """Return the statements of the tasks beside the work: those that command no motion and wait for nothing but time.
 

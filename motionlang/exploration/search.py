@@ -21,7 +21,7 @@ from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
 from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests, without_memory
-from motionlang.exploration.roles import beside_work, commands, reached_in, triggers_of
+from motionlang.exploration.roles import beside_work, commands, numbers_that_start, reached_in, triggers_of
 from motionlang.exploration.states import DELAY, Causes, Departure, Effect, StateNode, Transition, Visit, Work
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import Act, Trial, TrialMotion, Trials, plain, without_figures
@@ -68,6 +68,8 @@ class Explorer:
         self.beside = beside_work(structure)
         # The inputs whose changes start a handler.
         self.triggers = triggers_of(events)
+        # The numbers of a host that start one, but for those that a person has given.
+        self.started_by = sorted(numbers_that_start(events) - self.given)
         # Handlers that command nothing count or take note.
         quiet = [each for each in events if not commands(structure, each)]
         self.counters = triggers_of(quiet)

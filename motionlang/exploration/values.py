@@ -49,6 +49,12 @@ def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
     return Change(table, number, first, question), Change(table, number, second, question)
 
 
+def first_write(channel: Channel) -> Change:
+    """Return the change of a number of a host, or of a coil, to 1."""
+    table, number = channel
+    return Change(table, number, 1 if table in WHOLE else 1.0)
+
+
 def is_probe(change: Change) -> bool:
     """True if the value of a change is an unusual one."""
     return change.table != "input" and change.value in (*KEYS, *LEVELS, *NUMBERS, *ANSWERS)

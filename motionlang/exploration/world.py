@@ -44,6 +44,7 @@ from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Causes, delay
 from motionlang.exploration.trials import Trial, TrialMotion, without_figures
+from motionlang.exploration.values import first_write
 from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
 
@@ -423,14 +424,9 @@ def _one_by_one(number: int, changes: list[tuple[float, float]]) -> list[Entry]:
 def _numbers(explorer: Explorer, trial: Trial) -> Iterator[dict[str, list[Entry]]]:
     """Yield the entries of the numbers of a host that the program reads, and that nothing has changed."""
     given = {each.channel for _, each in trial.timeline}
-    for table, number in explorer.read:
-        if (
-            table in NUMBERS
-            and (table, number) not in given
-            and (table, number) not in written(explorer.program)
-        ):
-            value = 1.0 if table == "comms" else 1
-            yield tables_of(((0.0, Change(table, number, value)),))  # type: ignore[misc]
+    for channel in explorer.read:
+        if channel[0] in NUMBERS and channel not in given and channel not in written(explorer.program):
+            yield tables_of(((0.0, first_write(channel)),))  # type: ignore[misc]
 
 
 class _Orders:
