@@ -127,7 +127,7 @@ REPORTED: tuple[
         ],
     ),
     (
-        "PRINT 1\n", {"answer": [{"text": "3"}, {"text": "x" * 61}]}, "ended", [],
+        "PRINT 1\n", {"answer": [{"text": "3"}, {"text": "x" * 62}]}, "ended", [],
         [
             (
                 "unasked", f'no INPUT took the answer "{text}"', 0, 0, 1,

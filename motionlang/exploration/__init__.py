@@ -114,9 +114,9 @@ __all__ = [
 ]
 
 
-# The share of the work before a long run in the world, and those behind what such runs come to; what is left is for the
-# rest.
-FIRST, BEHIND = 0.6, (0.1, 0.1, 0.1, 0.1)
+# The share of the work before a long run in the world, and that behind what each of some such runs comes to; what is
+# left is for the rest.
+FIRST, BEHIND, FURTHER = 0.6, 0.1, 4
 
 
 class PlayedTimeline(NamedTuple):
@@ -270,11 +270,11 @@ def explore(
     explorer = Explorer(program, machine or {}, work, is_over, progress)
     try:
         explorer.explore(FIRST * work)
-        found, shares = Exploration(explorer), [*BEHIND]
-        while shares and not is_over() and goes_further(explorer, found.world):
-            explorer.explore(shares.pop() * work)
-            found = Exploration(explorer)
-        if shares and explorer.explore(sum(shares) * work):
+        found, left = Exploration(explorer), FURTHER
+        while left and not is_over() and goes_further(explorer, found.world):
+            explorer.explore(BEHIND * work)
+            found, left = Exploration(explorer), left - 1
+        if left and explorer.explore(left * BEHIND * work):
             found = Exploration(explorer)
     except Interrupted as at:
         if not keeps:

@@ -59,7 +59,7 @@ MAX_READ = 8
 
 def at_power_up(explorer: Explorer, trial: Trial, rest: Rest | None) -> Iterator[Causes]:
     """Yield the changes at power-up: of each input that is read before the first rest."""
-    read = _read_before(explorer, trial, rest, Way(explorer.nodes[None].first, (), trial))
+    read = _read_before(explorer, trial, rest, TriedWay(explorer.nodes[None].first, (), trial))
     yield from ((_flipped(each, {}),) for each in read if each[0] == "input")
 
 
@@ -116,7 +116,7 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
     """Yield the changes of several channels that one statement of a state has read."""
     levels = visit.levels
     for at, read in list(node.reads.items()):
-        channels = _that_matter(explorer, Way(visit), at, list(read))
+        channels = _that_matter(explorer, TriedWay(visit), at, list(read))
         choices = [each for channel in channels if (each := _choices(node, channel, levels))]
         # No comparison has used these numbers yet: the rest of the condition decides first.
         unsolved = [each for each in channels if each[0] not in ("input", *TEXTS) and each not in node.solved]
@@ -136,7 +136,7 @@ def behind(
     explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, trial: Trial, rest: Rest | None
 ) -> Iterator[Causes]:
     """Yield changes that lead on with one more channel that was read behind them, until the next rest."""
-    read = _read_before(explorer, trial, rest, Way(visit, causes, trial))
+    read = _read_before(explorer, trial, rest, TriedWay(visit, causes, trial))
     yield from with_more(explorer, node, visit, causes, read)
 
 
@@ -160,7 +160,7 @@ def _read(
     since: float,
     until: float,
     without: frozenset[int] = frozenset(),
-    way: Way | None = None,
+    way: TriedWay | None = None,
 ) -> list[Channel]:
     """Return the channels that a trial has read between two times, but for some statements."""
     found: dict[Channel, None] = {}
@@ -175,7 +175,7 @@ def _read(
     return list(found)
 
 
-def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: Way) -> list[Channel]:
+def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: TriedWay) -> list[Channel]:
     """Return the channels that lead to a rest: those that other statements than its own have read until then."""
     until = inf if rest is None else rest.begin + BODY
     places = frozenset[int]().union(*(each.statements for each in (rest.state if rest else ())))
@@ -185,12 +185,13 @@ def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: Way) 
 def _channels(explorer: Explorer, node: StateNode, visit: Visit) -> list[Channel]:
     """Return the channels that were read in a state; of a bank those that matter."""
     read = [
-        _that_matter(explorer, Way(visit), at, list(channels)) for at, channels in list(node.reads.items())
+        _that_matter(explorer, TriedWay(visit), at, list(channels))
+        for at, channels in list(node.reads.items())
     ]
     return list(dict.fromkeys(chain.from_iterable(read)))
 
 
-class Way(NamedTuple):
+class TriedWay(NamedTuple):
     """Changes that are made at a visit, and the trial with them; none is the stay itself."""
 
     visit: Visit
@@ -198,7 +199,7 @@ class Way(NamedTuple):
     trial: Trial | None = None
 
 
-def _that_matter(explorer: Explorer, way: Way | None, at: int, read: Sequence[Channel]) -> list[Channel]:
+def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequence[Channel]) -> list[Channel]:
     """Return the channels of a statement that no person has given; of a bank those that need their other level.
 
     They are found by halves, by the comparisons that differ on the `way`; without one no inputs of a bank are known
