@@ -202,6 +202,8 @@ class TriedWay(NamedTuple):
 def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequence[Channel]) -> list[Channel]:
     """Return the channels of a statement that no person has given; of a bank those that need their other level.
 
+    If a comparison with a code needs none, they are those that turn any comparison.
+
     They are found by halves, by the comparisons that differ on the `way`; without one no inputs of a bank are known
     before a state or a way reads it.
     """
@@ -213,7 +215,11 @@ def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequen
     if at not in explorer.banks and way is not None:
         levels, changed = way.visit.levels, {each.channel for each in way.causes}
         usual = compared_in(way.trial or explorer.play(way.visit.timeline, 0.0))
-        left, found = [[each for each in free if each not in changed]], list[Channel]()
+        left, found, turning = (
+            [[each for each in free if each not in changed]],
+            list[Channel](),
+            list[Channel](),
+        )
         while left and not explorer.trials.is_over:
             some = left.pop()
             changes = tuple(_flipped(each, levels) for each in some)
@@ -221,12 +227,14 @@ def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequen
             if not new:
                 continue
             if len(some) == 1:
-                if level_of_bit(usual, new) == changes[0].value or turns(usual, new):
+                if level_of_bit(usual, new) == changes[0].value:
                     found.append(some[0])
+                elif turns(usual, new):
+                    turning.append(some[0])
             else:
                 middle = len(some) // 2
                 left += [some[middle:], some[:middle]]
-        explorer.banks[at] = found
+        explorer.banks[at] = found or turning
     return explorer.banks[at]
 
 
