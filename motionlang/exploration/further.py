@@ -1,4 +1,4 @@
-"""What a machine comes to after many turns of its cycle: a full pallet, the end of a batch.
+"""What a machine does only after many cycles: it fills a pallet, it ends a batch.
 
 Problem. A variable that counts is no part of a state, so nothing leads from the known states to what only the twelfth
 part brings.

@@ -90,7 +90,7 @@ def as_before(explorer: Explorer, node: StateNode) -> Iterator[Causes]:
 def pulses(
     explorer: Explorer, node: StateNode, visit: Visit, change: Change, trial: Trial
 ) -> Iterator[Causes]:
-    """Yield an input that comes and goes: once where its change leads nowhere, and else as often as it is counted."""
+    """Yield an input that comes and goes: as often as it is counted, or once if its change alone leads nowhere."""
 
     def leads_on(trial: Trial) -> bool:
         last = [each.state for each in explorer.rests(trial)[-1:]]

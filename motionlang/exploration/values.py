@@ -8,6 +8,7 @@ linear in the value, so the value at which the sides are equal follows from the 
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from itertools import chain, pairwise
 from math import inf, isfinite
@@ -121,19 +122,29 @@ def level_of_bit(usual: Compared, new: Compared) -> float:
 
 
 def turns(usual: Compared, new: Compared) -> bool:
-    """True if a comparison of numbers has another result than usual."""
-    return any(
-        (side > other) - (side < other) != (before > other) - (before < other)
-        for side, before, other in _differing(usual, new)
-    )
+    """True if a comparison of numbers that is usual has a result that none of the usual ones has."""
+    results, others = _results(usual), _results(new)
+    return any(at in results and not found <= results[at] for at, found in others.items())
+
+
+def _results(compared: Compared) -> dict[Comparison, set[bool | None]]:
+    """Return for each comparison of numbers if the left side is the larger one, None if both are equal."""
+    found: dict[Comparison, set[bool | None]] = defaultdict(set)
+    for at, (left, right) in compared:
+        if isinstance(left, (int, float)) and isinstance(right, (int, float)):
+            found[at].add(None if left == right else left > right)
+    return found
 
 
 def _differing(usual: Compared, new: Compared) -> Iterator[tuple[float, float, float]]:
     """Yield a side that differs, its usual value, and the other side, which are numbers."""
+    known: dict[Comparison, list[tuple[object, object]]] = defaultdict(list)
+    for at, pair in sorted(usual, key=str):
+        known[at].append(pair)
     for at, (left, right) in sorted(new, key=str):
-        for known, (was_left, was_right) in sorted(usual, key=str):
+        for was_left, was_right in known[at]:
             sides = left, was_left, right, was_right
-            if known == at and all(isinstance(each, (int, float)) for each in sides):
+            if all(isinstance(each, (int, float)) for each in sides):
                 a, b, c, d = (float(each) for each in sides)  # type: ignore[arg-type]
                 yield a, b, c
                 yield c, d, a

@@ -17,8 +17,8 @@ If there are none, or it cannot be known, it changes to its other level. If anot
 the present level, the change is made once that one no longer asks.
 
 Invariants.
-- A query ends with each change of its value, whoever makes or sees it. So a rule acts no sooner than its time after the
-  last change, and a statement that is passed once between two changes does not poll.
+- A query ends when its value changes, whatever changes it. So a rule never acts earlier than its time after the last
+  change, and a statement that is passed once between two changes does not poll.
 - Nothing polls: a query schedules one event of the clock, when its asking is known, and reads find out the rest. A
   further read of a wait costs no more than two lookups.
 - An event is scheduled before a loop can be skipped. Iterations that are skipped count as reads (`skipped`).
