@@ -44,9 +44,9 @@ class Browser:
         self.driver.quit()
 
     def open(self, path: Path) -> None:
-        """Load a file, and wait until the page has been drawn."""
+        """Load a file, and wait until the page has been drawn at the width that its scroll bar leaves."""
         self.driver.get(path.as_uri())
-        self.until("document.getElementById('over') !== null")
+        self.until("document.getElementById('over') !== null && width === scope.clientWidth - LEFT - RIGHT")
 
     def js(self, expression: str) -> Any:
         """Return the value of an expression in the page."""
