@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import deque
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from motionlang.exploration.changes import Channel
@@ -153,21 +153,21 @@ def _runs(
 
 
 def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
-    """Yield work without a rest; of the same lines what says less of what is wrong, and is faster than time-outs."""
+    """Yield work without a rest; what does the same says less of what is wrong, and is faster than time-outs."""
 
     def faults(work: Work) -> tuple[bool, int]:
         return bool(work.said) and all(wrong([each]) for each in work.said), wrong(work.said)
 
-    fastest: dict[frozenset[int], Work] = {}
+    fastest: dict[Hashable, Work] = {}
     for work in works:
-        other = fastest.setdefault(work.lines, work)
+        does = work.lines, work.outputs
+        other = fastest.setdefault(does, work)
         if (faults(work), work.period) < (faults(other), FASTER * other.period):
-            fastest[work.lines] = work
+            fastest[does] = work
     for work in fastest.values():
         value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
-        value -= WRONG * bool(wrong(work.said)) + JOGGING * (
-            len(work.lines) == 1 and not work.outputs and not work.said
-        )
+        value -= WRONG if wrong(work.said) else -SAID * bool(work.said)
+        value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
         yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
 
 

@@ -6,7 +6,7 @@ Idea. What was read decides. A statement that has read a channel while the state
 changes: an input to its other level, a number to the values at which the comparisons turn that follow (`values.py`).
 
     one by one         each channel that was read, and each input or number of a host that starts a handler
-    of conditions      the channels of one statement together: two of them, then three
+    of conditions      the channels of one statement together: two of them, then three, then all that are needed
     behind             what led on, with one more channel that was read on the way, such as a look that decides
     with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
     in a move          an input that was read while an axis moved, or starts a handler, in the middle of the move; at
@@ -91,16 +91,17 @@ def pulses(
     explorer: Explorer, node: StateNode, visit: Visit, change: Change, trial: Trial
 ) -> Iterator[Causes]:
     """Yield an input that comes and goes: as often as it is counted, or once if its change alone leads nowhere."""
-
-    def leads_on(trial: Trial) -> bool:
-        last = [each.state for each in explorer.rests(trial)[-1:]]
-        return last != [node.state] or bool(trial.part(visit.change_time, inf).moves)
-
     once = explorer.changed(visit, _pulses(change, 1))
-    if not leads_on(once):
+    if not _leads_on(explorer, node, visit, once):
         yield from _counted(explorer, node, visit, partial(_pulses, change), [once])
-    elif not leads_on(trial):
+    elif not _leads_on(explorer, node, visit, trial):
         yield _pulses(change, 1)
+
+
+def _leads_on(explorer: Explorer, node: StateNode, visit: Visit, trial: Trial) -> bool:
+    """True if a trial leads from a state to another one, or moves an axis."""
+    last = [each.state for each in explorer.rests(trial)[-1:]]
+    return last != [node.state] or bool(trial.part(visit.change_time, inf).moves)
 
 
 def is_read_again(explorer: Explorer, trial: Trial, change: Change) -> bool:
@@ -127,9 +128,33 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
             for some in combinations(choices, count - 1):
                 for others, channel in product(product(*some), unsolved):
                     yield from _compared(explorer, node, visit, others, channel)
-        if len(choices) > MAX_TOGETHER:
-            inputs = [each[0] for each in choices if each[0].table == "input"]
-            yield tuple(sorted(inputs))
+        # Of a bank those that matter come first; what is no comparison may need others, too.
+        for group in dict.fromkeys((tuple(channels), tuple(read))):
+            inputs = [each for each in group if each[0] == "input" and each not in explorer.given]
+            if len(inputs) > MAX_TOGETHER and (needed := _fewest(explorer, node, visit, inputs)):
+                yield needed
+                break
+
+
+def _fewest(explorer: Explorer, node: StateNode, visit: Visit, inputs: list[Channel]) -> Causes:
+    """Return the changes of inputs that lead on together, without those that can be left out, by halves; none if none."""
+
+    def changes(inputs: Iterable[Channel]) -> Causes:
+        return tuple(sorted(_flipped(each, visit.levels) for each in inputs))
+
+    def leads_on(inputs: Iterable[Channel]) -> bool:
+        trial = explorer.changed(visit, changes(inputs))
+        return not explorer.trials.is_over and _leads_on(explorer, node, visit, trial)
+
+    if not leads_on(inputs):
+        return ()
+    needed, size = inputs, len(inputs)
+    while size > 1:
+        size = (size + 1) // 2
+        for first in reversed(range(0, len(needed), size)):
+            fewer = needed[:first] + needed[first + size :]
+            needed = fewer if fewer and leads_on(fewer) else needed
+    return changes(needed)
 
 
 def behind(
@@ -345,7 +370,7 @@ def _counted(
     yield from map(often, (each for each in wanted if each > ENOUGH))
     # Last, so that what too few do is known of enough.
     for times, trial in enumerate(trials, 1):
-        if max(wanted, default=0) > ENOUGH or (times in wanted and trial.is_news):
+        if max(wanted, default=0) > ENOUGH or (times in wanted and explorer.is_news(trial)):
             explorer.take(node, visit, often(times), trial)
 
 

@@ -41,6 +41,8 @@ class ReadSpan(NamedTuple):
 
 # A comparison: the source offset of its statement, and its number among those of the statement, from 1 on.
 Comparison = tuple[int, int]
+# The source offset of a statement that began, or a comparison with 1 if the left side was the larger one, 0 or -1.
+Seen = int | tuple[int, int, int]
 # The channels that statements have read, as table and number, with the spans in which they did so.
 Readings = Mapping[int, Mapping[Channel, Sequence[ReadSpan]]]
 
@@ -85,8 +87,7 @@ class TrialRecorder(Hook):
         self.readings: dict[int, dict[Channel, list[ReadSpan]]] = defaultdict(lambda: defaultdict(list))
         # The values of the remembered variables, each time that one of them has changed.
         self.memory: list[tuple[float, tuple[object, ...]]] = []
-        # The offsets of the statements that began, and with the comparisons of one which side was the larger one.
-        self.seen: set[int | tuple[int, int, int]] = set()
+        self.seen: set[Seen] = set()
         # The number of comparisons of the present statement at a time: a wait compares again and again.
         self._comparisons, self._compared = 0, -inf
         # The statement that handlers have interrupted; -1 if none runs.

@@ -19,7 +19,7 @@ from operator import attrgetter
 
 from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
-from motionlang.exploration.recorder import HANDLERS
+from motionlang.exploration.recorder import HANDLERS, Seen
 from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests, without_memory
 from motionlang.exploration.roles import beside_work, commands, numbers_that_start, reached_in, triggers_of
 from motionlang.exploration.states import DELAY, Causes, Departure, Effect, StateNode, Transition, Visit, Work
@@ -77,6 +77,8 @@ class Explorer:
         # The timelines that were tried, and the changes in the middle of a move: at all, and from each state.
         self.tried: set[Timeline] = set()
         self.changed_in: set[Hashable] = set()
+        # What the trials have seen that were taken.
+        self._seen: set[Seen] = set()
         # The inputs that matter of the banks that statements read, by source offset.
         self.banks: dict[int, list[Channel]] = {}
         # The lines that move an axis in any transition.
@@ -144,6 +146,7 @@ class Explorer:
         if not self.nodes:
             start = self.nodes[None] = StateNode(None, Visit((), -DELAY))
             trial = self.play((), 0.0)
+            self._seen |= trial.seen
             rest = self.arrive(start, start.first, (), trial)[1]
             start.left = [Departure(start.first, questions.at_power_up(self, trial, rest))]
         has_tried = False
@@ -174,16 +177,21 @@ class Explorer:
         """Record a trial; ask more questions if it has found something new."""
         self.tried.add(trial.timeline)
         node.tried[causes] = None
-        states, read = len(self.nodes), len(node.channels)
+        states, read, is_news = len(self.nodes), len(node.channels), self.is_news(trial)
+        self._seen |= trial.seen
         news, rest = self.arrive(node, visit, causes, trial)
         further: list[Iterator[Causes]] = []
         if len(causes) == 1 and questions.is_read_again(self, trial, causes[0]):
             further.append(questions.pulses(self, node, visit, causes[0], trial))
-        if news or trial.is_news or len(self.nodes) > states:
+        if news or is_news or len(self.nodes) > states:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
         if len(node.channels) > read:
             further.append(questions.with_more(self, node, visit, causes, node.channels[read:]))
         node.left += (Departure(visit, each, len(causes) + 1) for each in further)
+
+    def is_news(self, trial: Trial) -> bool:
+        """True if a statement began or a comparison turned in a trial that no trial taken so far has seen."""
+        return not trial.seen <= self._seen
 
     def _forget(self) -> None:
         """Forget the variables with many values, and take states for one that differ in them alone."""
@@ -278,9 +286,13 @@ class Explorer:
         switched = Counter(each.channel for each in trial.outputs if each.value)
         work = {line for line, count in moves.items() if count >= often}
         outputs = {channel for channel, count in switched.items() if count >= often}
-        said = frozenset(without_figures(each.text) for each in trial.prints if each.time >= trial.since)
+        # What is said before it moves is no part of it; of lines that differ in figures, the last one.
+        since = min((each.begin for each in trial.moves if each.line in work), default=inf)
+        said = {without_figures(each.text): each.text for each in trial.prints if each.time >= since}
         if work:
-            found = Work(trial.timeline, cycle.period, frozenset(work), frozenset(outputs), said)
+            found = Work(
+                trial.timeline, cycle.period, frozenset(work), frozenset(outputs), frozenset(said.values())
+            )
             self.working.append(found)
 
     def _reached(self, rest: Rest, trial: Trial) -> tuple[StateNode, Visit]:

@@ -11,14 +11,14 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from operator import attrgetter
 from typing import NamedTuple
 
 from motionlang.exploration.changes import Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
-from motionlang.exploration.recorder import Begun, Comparison, Readings, TrialRecorder
+from motionlang.exploration.recorder import Begun, Comparison, Readings, Seen, TrialRecorder
 from motionlang.exploration.roles import switches_of, written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
@@ -75,9 +75,8 @@ class Trial(NamedTuple):
 
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
     `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
-    for which it has no answer. `is_news` is True if a statement began or a comparison turned that no trial had seen.
-    `waits` are in the order of their ends; those that go on end at infinity. `outputs` and, as the `TrialRecorder` has
-    them, `statements`, `comparisons` and `readings` are those from `since` on.
+    for which it has no answer. `waits` are in the order of their ends; those that go on end at infinity. `outputs` and,
+    as the `TrialRecorder` has them, `statements`, `comparisons`, `readings` and `seen` are those from `since` on.
     """
 
     timeline: Timeline
@@ -96,7 +95,7 @@ class Trial(NamedTuple):
     comparisons: Mapping[Comparison, Sequence[tuple[object, object]]]
     readings: Readings
     memory: Sequence[tuple[float, tuple[object, ...]]]
-    is_news: bool = False
+    seen: Set[Seen]
 
     def part(self, since: float, until: float) -> Trial:
         """Return the trial with only the moves, outputs and prints between two times."""
@@ -168,7 +167,7 @@ class Trials:
         # The run of the last trial, as it is until the next one.
         self.last: Run
         # What any trial has seen.
-        self.seen: set[int | tuple[int, int, int]] = set()
+        self.seen: set[Seen] = set()
         # Where the last trial started, if not at power-up.
         self._start: Start | None = None
 
@@ -208,9 +207,8 @@ class Trials:
             until = last + horizon
             self.last = self._run_on(self.last.machine, until)
             trial = _trial(timeline, since, self.last, recorder, self.base)
-        seen = len(self.seen)
         self._note_work(recorder)
-        return trial._replace(is_news=len(self.seen) > seen)
+        return trial
 
     def _note_work(self, recorder: TrialRecorder) -> None:
         self.seen |= recorder.seen
@@ -310,6 +308,7 @@ def _trial(
         recorder.comparisons,
         recorder.readings,
         recorder.memory,
+        recorder.seen,
     )
 
 

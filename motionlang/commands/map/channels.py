@@ -146,10 +146,14 @@ def polled(structure: Structure) -> dict[int, set[Read]]:
 def only_named(names: Iterable[Named], channels: Iterable[Channel]) -> list[Named]:
     """Return the inputs and outputs that comments name and a program does not use.
 
-    A channel whose number is only known while the program runs may be any of its kind.
+    A channel whose number is only known while the program runs may be any of its kind, and so may one of a bank that is
+    read.
     """
+    channels = list(channels)
     used = {(each.kind, each.number) for each in channels}
     open_ended = {kind for kind, number in used if not number.isdecimal()}
+    banks = [each.kind for each in channels if each.kind.endswith(" bank") and (each.reads or each.waits)]
+    open_ended |= {kind.removesuffix(" bank") for kind in banks}
     return [
         each
         for each in names
