@@ -137,7 +137,7 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
 
 
 def _fewest(explorer: Explorer, node: StateNode, visit: Visit, inputs: list[Channel]) -> Causes:
-    """Return the changes of inputs that lead on together, without those that can be left out, by halves; none if none."""
+    """Return the changes of inputs that lead on together, none if none do; by halves others are left out."""
 
     def changes(inputs: Iterable[Channel]) -> Causes:
         return tuple(sorted(_flipped(each, visit.levels) for each in inputs))

@@ -15,12 +15,11 @@ from typing import Any
 from motionlang.commands.cover import Coverage, coverage
 from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.init import ending, slug
-from motionlang.commands.map.program_map import names_in_comments
 from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
 from motionlang.exploration import Change, Entry, Exploration, entries, plain, tables_of
 from motionlang.kernel import ProgramError, Run, Source, read_machine, run
-from motionlang.kernel.lang import layered
+from motionlang.kernel.lang import layered, names_in_comments
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.tools import ranges
 

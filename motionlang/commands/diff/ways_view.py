@@ -7,9 +7,9 @@ from itertools import groupby
 
 from motionlang.commands.diff.acts import ActDifference, ComparedAct
 from motionlang.commands.diff.ways import CycleTime, FoundDifference, FoundLater, Way, WaysCompared
-from motionlang.commands.map.program_map import names_in_comments
 from motionlang.exploration import Change, Exploration, Timeline
 from motionlang.kernel import dialect
+from motionlang.kernel.lang import names_in_comments
 from motionlang.kernel.tools import count_of, ranges
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable

@@ -16,10 +16,9 @@ from math import fsum, hypot, inf
 from typing import NamedTuple
 
 from motionlang.commands.improve.tasks import Tasks
-from motionlang.commands.map.comments import comments_of
-from motionlang.commands.map.program_map import channels_of, names_in_comments
+from motionlang.commands.map.program_map import channels_of
 from motionlang.kernel import Run
-from motionlang.kernel.lang import Literal
+from motionlang.kernel.lang import Literal, comments_of, names_in_comments
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
 

@@ -7,10 +7,10 @@ from collections.abc import Collection, Iterable
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import leading
 from motionlang.commands.map.channels import only_named
-from motionlang.commands.map.program_map import channels_of, names_in_comments
+from motionlang.commands.map.program_map import channels_of
 from motionlang.exploration import Change, Exploration, StateNode, is_probe
 from motionlang.kernel import Run
-from motionlang.kernel.lang import WRITE, Structure
+from motionlang.kernel.lang import WRITE, Structure, names_in_comments
 from motionlang.kernel.tools import count_of
 
 

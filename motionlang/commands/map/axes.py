@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang import TOPICS, AxisUse, Structure
+from motionlang.kernel.lang import TOPICS, AxisUse, Named, Structure
 
 # What a reader sees for each topic of `keyword.TOPICS`.
 TITLES = {

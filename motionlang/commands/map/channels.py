@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Read, Structure
+from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Named, Read, Structure
 from motionlang.kernel.tools import ranges
 
 # The keys of the machine file that assign an input to an axis.

@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from motionlang.commands.map.axes import AxisMap, axes
 from motionlang.commands.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang.commands.map.channels import Channel, channels, only_named, order_of
-from motionlang.commands.map.comments import Named, comments_of, named, without_marks
 from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import MapVariable, UnitMap, units, variables
 from motionlang.exploration import Exploration, explore, without_world
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
-from motionlang.kernel.lang import Structure
+from motionlang.kernel.lang import Structure, comments_of, names_in_comments, without_marks
 
 # A comment at the end of a line is a name if it is no longer than this.
 MAX_COMMENT = 40
@@ -43,10 +42,10 @@ def program_map(program: Program, language: Dialect) -> ProgramMap:
     Raises ProgramError with all errors of the text.
     """
     source, structure = program.source, program.structure
-    listed, at_ends = _comments(source, language)
-    names = named(listed)
-    made, unreached = units(structure, {line: without_marks(text) for line, text in listed})
-    used = channels(structure, program.settings, names, at_ends)
+    names = names_in_comments(source, language)
+    heads = {line: without_marks(text) for line, text in comments_of(source, language)[0]}
+    made, unreached = units(structure, heads)
+    used = channels(structure, program.settings, names, _at_ends(source, language))
     unused = {(each.kind, str(each.number)): each for each in only_named(names, used)}
     only = (Channel(*key, each.name, f"comment, line {each.line}") for key, each in unused.items())
     return ProgramMap(
@@ -104,18 +103,12 @@ def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -
 
 def channels_of(program: Program, language: Dialect) -> list[Channel]:
     """Return only the channels of a program; ProgramError with all errors of the text."""
-    listed, at_ends = _comments(program.source, language)
-    structure = program.structure
-    return channels(structure, program.settings, named(listed), at_ends)
+    source = program.source
+    names = names_in_comments(source, language)
+    return channels(program.structure, program.settings, names, _at_ends(source, language))
 
 
-def names_in_comments(source: Source, language: Dialect) -> list[Named]:
-    """Return the names that the comments of a program list, also those of channels that it does not use."""
-    return named(_comments(source, language)[0])
-
-
-def _comments(source: Source, language: Dialect) -> tuple[list[tuple[int, str]], dict[int, str]]:
-    """Return the comments with a line of their own, and the text of the short ones behind code, by line."""
-    own, behind = comments_of(source, language)
-    shown = {line: without_marks(text) for line, text in behind.items()}
-    return own, {line: text for line, text in shown.items() if len(text) <= MAX_COMMENT}
+def _at_ends(source: Source, language: Dialect) -> dict[int, str]:
+    """Return the text of the short comments behind code, by line."""
+    shown = {line: without_marks(text) for line, text in comments_of(source, language)[1].items()}
+    return {line: text for line, text in shown.items() if len(text) <= MAX_COMMENT}

@@ -7,8 +7,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from motionlang.commands.map.comments import Named
-from motionlang.kernel.lang import CALL, ENTER, Definition, Structure, Unit
+from motionlang.kernel.lang import CALL, ENTER, Definition, Named, Structure, Unit
 
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
 _MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)

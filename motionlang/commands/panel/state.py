@@ -8,7 +8,7 @@ from typing import Any
 
 from motionlang.commands.map.axes import axes
 from motionlang.commands.map.channels import Channel
-from motionlang.commands.map.program_map import channels_of, names_in_comments
+from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.rest import SHADOW, TABLE_OF, seeking, tasks_of
 from motionlang.commands.panel.roles import Roles
@@ -16,6 +16,7 @@ from motionlang.commands.panel.rule import in_words
 from motionlang.exploration import plain
 from motionlang.kernel import Dialect, Machine, Program, Rejected, Run, dialect
 from motionlang.kernel.controller import fault_names
+from motionlang.kernel.lang import names_in_comments
 
 Data = dict[str, Any]
 # The last moves whose starts and lines are shown.

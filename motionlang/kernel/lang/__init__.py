@@ -7,6 +7,10 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.comments import Named as Named
+    from motionlang.kernel.lang.comments import comments_of as comments_of
+    from motionlang.kernel.lang.comments import names_in_comments as names_in_comments
+    from motionlang.kernel.lang.comments import without_marks as without_marks
     from motionlang.kernel.lang.debugging import Frame as Frame
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
     from motionlang.kernel.lang.foreign import IN_EDITOR as IN_EDITOR
@@ -105,6 +109,7 @@ PUBLIC = {
     "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
     "step_graph": "StepGraph",
     "step_task": "StepTask",
+    "comments": "Named comments_of names_in_comments without_marks",
     "debugging": "Frame",
     "snapshot": "Snapshot",
     "waits": "ROUNDING wait_idle wait_until",

@@ -25,7 +25,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 
-from motionlang.kernel import Dialect, Source
+from motionlang.kernel.lang.dialect import Dialect
+from motionlang.kernel.source import Source
 
 # The words that begin a list, and what it names.
 _WORDS = {
@@ -199,12 +200,12 @@ class _Lists:
         return self.all[-1]
 
 
-def named(comments: Iterable[tuple[int, str]]) -> list[Named]:
-    """Return the names in comments, each given with its line, in the order of the text."""
+def names_in_comments(source: Source, language: Dialect) -> list[Named]:
+    """Return the names that the comments of a program list, also those of channels that it does not use, in order."""
     lists = _Lists()
     found: list[tuple[int, int, Named]] = []
     last = 0
-    for line, comment in comments:
+    for line, comment in comments_of(source, language)[0]:
         text = _MARKS.sub(lambda marks: " " * len(marks[0]), comment.expandtabs()).rstrip()
         if line != last + 1:
             lists.columns = []
