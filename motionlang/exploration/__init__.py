@@ -57,7 +57,7 @@ from motionlang.exploration.changes import (
     number_in,
     tables_of,
 )
-from motionlang.exploration.cycles import MachineCycle, cycles
+from motionlang.exploration.cycles import MachineCycle, alarms, cycles
 from motionlang.exploration.further import goes_further
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
@@ -67,7 +67,8 @@ from motionlang.exploration.trials import Act, Interrupted, Trial, asks, describ
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
 from motionlang.exploration.world import FoundWorld, explains, lead, played, world_of
-from motionlang.kernel import Program, Run, Source, dialect_for, settings_next_to
+from motionlang.kernel import Program, Run, Source, dialect, dialect_for, settings_next_to
+from motionlang.kernel.lang import names_in_comments
 
 __all__ = [
     "SHORTEST_REST",
@@ -142,7 +143,8 @@ class Exploration:
         self.nodes = list(explorer.nodes.values())
         self.trials = explorer.trials.count
         self.is_whole = not explorer.trials.is_over and interrupted is None
-        self.cycles = cycles(explorer.nodes, explorer.working)
+        names = names_in_comments(self.program.source, dialect(self.program.language))
+        self.cycles = cycles(explorer.nodes, explorer.working, alarms(names))
         self.world = self.world_of(self.cycles)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)

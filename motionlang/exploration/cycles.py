@@ -10,11 +10,12 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from motionlang.exploration.changes import Channel
 from motionlang.exploration.rests import RestState
 from motionlang.exploration.states import StateNode, Transition, Visit, Work
+from motionlang.kernel.lang import Named
 
 # The longest cycle, in transitions, and the largest number of cycles that are compared.
 MAX_LENGTH, MAX_CYCLES = 8, 20_000
@@ -38,6 +39,8 @@ _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,3}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
 )
+# Words in the name of an output that is switched on when something is wrong.
+_ALARM = re.compile(r"alarm|fault|error|fail|reject|scrap|\bbad\b", re.IGNORECASE)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
@@ -48,14 +51,15 @@ FASTER = 0.95
 class MachineCycle:
     """A repetition of a machine: its transitions, none for work without a rest.
 
-    `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing. The
-    likelier a person names it, the larger is its `value`.
+    `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing; `outputs`
+    are switched on. The likelier a person names it, the larger is its `value`.
     """
 
     transitions: tuple[Transition, ...]
     visit: Visit
     lines: tuple[int, ...]
     work: frozenset[int]
+    outputs: frozenset[int]
     value: float
 
     @property
@@ -79,16 +83,24 @@ class MachineCycle:
         return not self.transitions or self.transitions[-1].target is not None
 
 
-def cycles(nodes: Mapping[RestState | None, StateNode], work: Iterable[Work]) -> list[MachineCycle]:
+def alarms(names: Iterable[Named]) -> frozenset[int]:
+    """Return the outputs whose names in comments say that something is wrong."""
+    return frozenset(each.number for each in names if each.kind == "output" and _ALARM.search(each.name))
+
+
+def cycles(
+    nodes: Mapping[RestState | None, StateNode], work: Iterable[Work], alarms: frozenset[int] = frozenset()
+) -> list[MachineCycle]:
     """Return the cycles of an exploration, the likeliest first and those without motion last.
 
-    Of those of the same states it is the best.
+    Of those of the same states it is the best. What switches on one of the outputs `alarms` counts less.
     """
     moved = (node.first.moved for node in nodes.values() if not node.first.timeline)
     at_start = frozenset[int]().union(*moved)
     # The states that a person leaves, and those that only end by themselves.
     left = {state for state, node in nodes.items() if any(map(_is_done, node.transitions))}
     found = [*_loops(nodes, at_start, left), *_runs(nodes, at_start, left), *_without_rest(work)]
+    found = [replace(each, value=each.value - WRONG * bool(each.outputs & alarms)) for each in found]
     best: dict[object, MachineCycle] = {}
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
@@ -135,7 +147,8 @@ def _loop(
     work = _work(transitions)
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
-        yield MachineCycle(transitions, visit, lines, work, _value(transitions, visit, work - at_start, left))
+        value = _value(transitions, visit, work - at_start, left)
+        yield MachineCycle(transitions, visit, lines, work, _outputs(transitions), value)
 
 
 def _runs(
@@ -149,7 +162,7 @@ def _runs(
                 work = each.work | each.visit.moved
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
                 value = _value((each,), each.visit, work - at_start, left) - CHANGE * changes - WHOLE_RUN
-                yield MachineCycle((each,), each.visit, lines, work, value)
+                yield MachineCycle((each,), each.visit, lines, work, each.outputs, value)
 
 
 def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
@@ -168,11 +181,16 @@ def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
         value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
         value -= WRONG if wrong(work.said) else -SAID * bool(work.said)
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
-        yield MachineCycle((), Visit(work.timeline, 0.0), tuple(sorted(work.lines)), work.lines, value)
+        visit, lines = Visit(work.timeline, 0.0), tuple(sorted(work.lines))
+        yield MachineCycle((), visit, lines, work.lines, work.outputs, value)
 
 
 def _work(transitions: Iterable[Transition]) -> frozenset[int]:
     return frozenset[int]().union(*(each.work for each in transitions))
+
+
+def _outputs(transitions: Iterable[Transition]) -> frozenset[int]:
+    return frozenset[int]().union(*(each.outputs for each in transitions))
 
 
 def wrong(said: Iterable[str]) -> int:
@@ -185,7 +203,7 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
 
     An input that has one level in all of the cycle is no change that anybody makes.
     """
-    outputs = frozenset[int]().union(*(each.outputs for each in transitions))
+    outputs = _outputs(transitions)
     value = MOVE * len(work) + OUTPUT * bool(outputs) - BEFORE * len(visit.timeline)
     levels: dict[Channel, set[object]] = {}
     for each in transitions:

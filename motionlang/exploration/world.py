@@ -119,7 +119,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     if best is None:
         furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
         trial = explorer.play(furthest.timeline, 0.0)
-        best = (False, True, 0), MachineCycle((), furthest, (), frozenset(), 0.0), trial
+        best = (False, True, 0), MachineCycle((), furthest, (), frozenset(), frozenset(), 0.0), trial
     (*_, count), cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
 
@@ -218,10 +218,12 @@ def played(
             changes = () if due is None else _leading_on(explorer, timeline, due, at)
         if due is None or not changes:
             break
+        reset = _reset(explorer, changes, timeline) if _is_same(due, at, before) else ()
         before, begin = due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
         new = {each.channel for each in changes}
-        made = made_at(at, (*(each for each in back if each.channel not in new), *changes))
+        made = made_at(at, (*(each for each in back if each.channel not in new), *reset))
+        made = (*made, *made_at(round(at + (PERIOD / 2 if reset else 0.0), 4), changes))
         timeline = (*timeline, *made)
         back = [each._replace(value=0.0) for each in changes if each.table == "analogue" and goes_back]
         since = at
@@ -272,6 +274,19 @@ def _again(causes: Causes) -> Causes:
     )
 
 
+def _reset(explorer: Explorer, causes: Causes, timeline: Timeline) -> Causes:
+    """Return the numbers of a host that start a handler as 0 where they have the same value as before.
+
+    Some controllers start the handler only if the value changes, so the same value has led nowhere.
+    """
+    before = {each.channel: each.value for _, each in timeline}
+    return tuple(
+        each._replace(value=type(each.value)(0))
+        for each in causes
+        if each.channel in explorer.started_by and before.get(each.channel) == each.value
+    )
+
+
 def _onward(explorer: Explorer, state: RestState, policy: Mapping[RestState | None, Causes]) -> Causes:
     """Return the first changes on the shortest way from a state to one of a policy; none if there is no way."""
     ways: deque[tuple[RestState, Causes]] = deque([(state, ())])
@@ -293,9 +308,13 @@ def _due(
 ) -> Iterator[Rest]:
     """Yield the rests from a time on that last until a change of the policy, but for the stay that was just changed."""
     for rest in found:
-        is_same = rest.state == before and rest.begin <= at + BODY
-        if rest.state in policy and not is_same and rest.end - max(rest.begin, at) > SHORT:
+        if rest.state in policy and not _is_same(rest, at, before) and rest.end - max(rest.begin, at) > SHORT:
             yield rest
+
+
+def _is_same(rest: Rest, at: float, before: RestState | None) -> bool:
+    """True if a rest is the stay that was changed last, at a time."""
+    return rest.state == before and rest.begin <= at + BODY
 
 
 # -------------------------------------------------------------------------------------------------- explaining
