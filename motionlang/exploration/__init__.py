@@ -57,7 +57,7 @@ from motionlang.exploration.changes import (
     number_in,
     tables_of,
 )
-from motionlang.exploration.cycles import MachineCycle, alarms, cycles
+from motionlang.exploration.cycles import MachineCycle, alarms_in, cycles
 from motionlang.exploration.further import goes_further
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
@@ -144,7 +144,7 @@ class Exploration:
         self.trials = explorer.trials.count
         self.is_whole = not explorer.trials.is_over and interrupted is None
         names = names_in_comments(self.program.source, dialect(self.program.language))
-        self.cycles = cycles(explorer.nodes, explorer.working, alarms(names))
+        self.cycles = cycles(explorer.nodes, explorer.working, alarms_in(names))
         self.world = self.world_of(self.cycles)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)

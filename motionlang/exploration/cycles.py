@@ -11,6 +11,8 @@ import re
 from collections import deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import chain
+from typing import NamedTuple
 
 from motionlang.exploration.changes import Channel
 from motionlang.exploration.rests import RestState
@@ -19,10 +21,11 @@ from motionlang.kernel.lang import Named
 
 # The longest cycle, in transitions, and the largest number of cycles that are compared.
 MAX_LENGTH, MAX_CYCLES = 8, 20_000
-# What counts for a cycle: each line that moves an axis in it, and not before the first change, and each output that is
-# switched on. Against it: each change of the world, an answer less, since the program asks for it; one at the same time
-# as another, one on the way there, a transition that comes by itself, one that is cut off, and a cycle that is one run.
-MOVE, OUTPUT = 3.0, 0.5
+# What counts for a cycle: each line that moves an axis in it, and not before the first change, less if its moves never
+# end by themselves, and each output that is switched on. Against it: each change of the world, less for an answer, as
+# the program asks for it; one at the same time as another, one on the way there, a transition that comes by itself, one
+# that is cut off, and a cycle that is one run.
+MOVE, PART, OUTPUT = 3.0, 2.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
 # Work of one line without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
 JOGGING = 5.0
@@ -32,15 +35,14 @@ SAID, WRONG = 2.0, 20.0
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
-_NAMED = (
-    "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stopped|stuck|lost|guard|emergency"
-)
+_NAMED = "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stuck|lost|guard|emergency"
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,3}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
 )
+_STOPPED = re.compile("stopped", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
-_ALARM = re.compile(r"alarm|fault|error|fail|reject|scrap|\bbad\b", re.IGNORECASE)
+_ALARM = re.compile(r"alarm|fault|error|fail|reject|scrap|\bbad\b|horn|siren|buzzer", re.IGNORECASE)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
@@ -52,7 +54,8 @@ class MachineCycle:
     """A repetition of a machine: its transitions, none for work without a rest.
 
     `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing; `outputs`
-    are switched on. The likelier a person names it, the larger is its `value`.
+    are switched on. The likelier a person names it, the larger is its `value`; `fault` is what is wrong with it, "" if
+    nothing is.
     """
 
     transitions: tuple[Transition, ...]
@@ -61,6 +64,7 @@ class MachineCycle:
     work: frozenset[int]
     outputs: frozenset[int]
     value: float
+    fault: str = ""
 
     @property
     def states(self) -> tuple[RestState | None, ...]:
@@ -70,12 +74,7 @@ class MachineCycle:
     @property
     def said(self) -> list[str]:
         """The lines printed in it, in order."""
-        return [act.words for each in self.transitions for act in each.acts if not act.subject]
-
-    @property
-    def is_wrong(self) -> bool:
-        """True if it prints something, and each line says that something is wrong: a reject, an alarm."""
-        return bool(self.said) and all(wrong([each]) for each in self.said)
+        return _said(self.transitions)
 
     @property
     def repeats(self) -> bool:
@@ -83,42 +82,53 @@ class MachineCycle:
         return not self.transitions or self.transitions[-1].target is not None
 
 
-def alarms(names: Iterable[Named]) -> frozenset[int]:
+def alarms_in(names: Iterable[Named]) -> frozenset[int]:
     """Return the outputs whose names in comments say that something is wrong."""
     return frozenset(each.number for each in names if each.kind == "output" and _ALARM.search(each.name))
 
 
+class _Known(NamedTuple):
+    """The lines that move an axis before any change, the states that a person leaves, and the outputs of alarms.
+
+    `stops` is True if the program says at power-up that the machine has stopped: it says so whenever it waits for work.
+    """
+
+    at_start: frozenset[int]
+    left: Left
+    alarms: frozenset[int]
+    stops: bool
+
+
 def cycles(
-    nodes: Mapping[RestState | None, StateNode], work: Iterable[Work], alarms: frozenset[int] = frozenset()
+    nodes: Mapping[RestState | None, StateNode], work: Iterable[Work], alarms: frozenset[int]
 ) -> list[MachineCycle]:
     """Return the cycles of an exploration, the likeliest first and those without motion last.
 
     Of those of the same states it is the best. What switches on one of the outputs `alarms` counts less.
     """
     moved = (node.first.moved for node in nodes.values() if not node.first.timeline)
-    at_start = frozenset[int]().union(*moved)
     # The states that a person leaves, and those that only end by themselves.
     left = {state for state, node in nodes.items() if any(map(_is_done, node.transitions))}
-    found = [*_loops(nodes, at_start, left), *_runs(nodes, at_start, left), *_without_rest(work)]
-    found = [replace(each, value=each.value - WRONG * bool(each.outputs & alarms)) for each in found]
+    begins = [_said(node.transitions) for node in nodes.values() if node.state is None]
+    stops = any(map(_STOPPED.search, chain.from_iterable(begins)))
+    known = _Known(frozenset[int]().union(*moved), left, alarms, stops)
+    found = [*_loops(nodes, known), *_runs(nodes, known), *_without_rest(work, alarms)]
     best: dict[object, MachineCycle] = {}
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
     ):
         best.setdefault(frozenset(each.states) if each.states else each.work, each)
-    return list(best.values())
+    return [replace(each, fault=_fault(each, alarms)) for each in best.values()]
 
 
 def _is_done(each: Transition) -> bool:
     """True if a person does something that leads on, and to nothing that is wrong."""
-    said = (act.words for act in each.acts if not act.subject)
-    return not each.is_by_itself and not each.is_cut and each.target != each.source and not wrong(said)
+    is_wrong = each.is_by_itself or each.is_cut or wrong(_said([each]))
+    return not is_wrong and each.target != each.source
 
 
-def _loops(
-    nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int], left: Left
-) -> Iterator[MachineCycle]:
-    """Yield the loops of transitions; `at_start` are the lines that move an axis before any change."""
+def _loops(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
+    """Yield the loops of transitions."""
     count = 0
     for start, node in nodes.items():
         if start is None:
@@ -131,14 +141,12 @@ def _loops(
             for each in nodes[here].transitions if here in nodes else ():
                 if each.target == start:
                     count += 1
-                    yield from _loop((*path, each), node, at_start, left)
+                    yield from _loop((*path, each), node, known)
                 elif each.target is not None and each.target not in on_path and len(path) + 1 < MAX_LENGTH:
                     paths.append((*path, each))
 
 
-def _loop(
-    transitions: tuple[Transition, ...], node: StateNode, at_start: frozenset[int], left: Left
-) -> Iterator[MachineCycle]:
+def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -> Iterator[MachineCycle]:
     """Yield a loop with changes; what is only known of a later visit is a loop that begins there."""
     first, is_later = transitions[0], any(each.is_later for each in transitions)
     if is_later and not first.is_later:
@@ -147,13 +155,11 @@ def _loop(
     work = _work(transitions)
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
-        value = _value(transitions, visit, work - at_start, left)
+        value = _value(transitions, visit, work - known.at_start, known)
         yield MachineCycle(transitions, visit, lines, work, _outputs(transitions), value)
 
 
-def _runs(
-    nodes: Mapping[RestState | None, StateNode], at_start: frozenset[int], left: Left
-) -> Iterator[MachineCycle]:
+def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
     """Yield the runs that end after a piece; all changes that lead there are changes of the cycle."""
     for node in nodes.values():
         for each in node.transitions:
@@ -161,11 +167,12 @@ def _runs(
                 lines = (*sorted(node.moved - set(each.lines)), *each.lines)
                 work = each.work | each.visit.moved
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
-                value = _value((each,), each.visit, work - at_start, left) - CHANGE * changes - WHOLE_RUN
+                value = _value((each,), each.visit, work - known.at_start, known)
+                value -= CHANGE * changes + WHOLE_RUN
                 yield MachineCycle((each,), each.visit, lines, work, each.outputs, value)
 
 
-def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
+def _without_rest(works: Iterable[Work], alarms: frozenset[int]) -> Iterator[MachineCycle]:
     """Yield work without a rest; what does the same says less of what is wrong, and is faster than time-outs."""
 
     def faults(work: Work) -> tuple[bool, int]:
@@ -178,11 +185,22 @@ def _without_rest(works: Iterable[Work]) -> Iterator[MachineCycle]:
         if (faults(work), work.period) < (faults(other), FASTER * other.period):
             fastest[does] = work
     for work in fastest.values():
-        value = MOVE * len(work.lines) + OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
+        value = MOVE * len(work.done) + PART * len(work.lines - work.done)
+        value += OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
         value -= WRONG if wrong(work.said) else -SAID * bool(work.said)
+        value -= WRONG * bool(work.outputs & alarms)
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
-        visit, lines = Visit(work.timeline, 0.0), tuple(sorted(work.lines))
+        begin = max((time for time, _ in work.timeline), default=0.0)
+        visit, lines = Visit(work.timeline, begin), tuple(sorted(work.lines))
         yield MachineCycle((), visit, lines, work.lines, work.outputs, value)
+
+
+def _fault(cycle: MachineCycle, alarms: frozenset[int]) -> str:
+    """Return what is wrong with a cycle in words, "" if nothing is."""
+    said, switched = cycle.said, sorted(cycle.outputs & alarms)
+    if said and all(wrong([each]) for each in said):
+        return f"prints {', '.join(dict.fromkeys(said))}"
+    return f"switches on output {switched[0]}, an alarm by its name" if switched else ""
 
 
 def _work(transitions: Iterable[Transition]) -> frozenset[int]:
@@ -193,18 +211,24 @@ def _outputs(transitions: Iterable[Transition]) -> frozenset[int]:
     return frozenset[int]().union(*(each.outputs for each in transitions))
 
 
+def _said(transitions: Iterable[Transition]) -> list[str]:
+    return [act.words for each in transitions for act in each.acts if not act.subject]
+
+
 def wrong(said: Iterable[str]) -> int:
     """Return how often words say that something is wrong."""
     return sum(len(_WRONG.findall(each)) for each in said)
 
 
-def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[int], left: Left) -> float:
+def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[int], known: _Known) -> float:
     """Return the likelihood that a person names a cycle.
 
     An input that has one level in all of the cycle is no change that anybody makes.
     """
     outputs = _outputs(transitions)
-    value = MOVE * len(work) + OUTPUT * bool(outputs) - BEFORE * len(visit.timeline)
+    done = frozenset[int]().union(*(each.done for each in transitions))
+    value = MOVE * len(work & done) + PART * len(work - done)
+    value += OUTPUT * bool(outputs) - BEFORE * len(visit.timeline) - WRONG * bool(outputs & known.alarms)
     levels: dict[Channel, set[object]] = {}
     for each in transitions:
         for one in each.causes:
@@ -215,11 +239,12 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= CHANGE * (len(made) - answers) + ANSWER * answers
         value -= TOGETHER * max(len(each.causes) - answers - 1, 0) + KEPT * (len(each.causes) - len(made))
         value -= (
-            BY_ITSELF * (each.is_by_itself and each.source in left)
+            BY_ITSELF * (each.is_by_itself and each.source in known.left)
             + CUT * each.is_cut
             + SECOND * each.seconds
         )
         value -= STATE * (not answers)
-    said = [act.words for each in transitions for act in each.acts if not act.subject]
-    value -= WRONG * (1.0 + wrong(said) / len(said)) if wrong(said) else -SAID * bool(said)
+    said = _said(transitions)
+    faults = wrong(said) + (0 if known.stops else sum(map(bool, map(_STOPPED.search, said))))
+    value -= WRONG * (1.0 + faults / len(said)) if faults else -SAID * bool(said)
     return value + STATE - SWITCHED * len(outputs)

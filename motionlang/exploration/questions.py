@@ -7,7 +7,8 @@ changes: an input to its other level, a number to the values at which the compar
 
     one by one         each channel that was read, and each input or number of a host that starts a handler
     of conditions      the channels of one statement together: two of them, then three, then all that are needed
-    behind             what led on, with one more channel that was read on the way, such as a look that decides
+    behind             what led on, with one more channel that was read on the way, such as a look that decides, and
+                       with all inputs of the way that together bring something new
     with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
     in a move          an input that was read while an axis moved, or starts a handler, in the middle of the move; at
                        first once for each line that moves an axis and what moves after it, late from each state
@@ -131,29 +132,36 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
         # Of a bank those that matter come first; what is no comparison may need others, too.
         for group in dict.fromkeys((tuple(channels), tuple(read))):
             inputs = [each for each in group if each[0] == "input" and each not in explorer.given]
-            if len(inputs) > MAX_TOGETHER and (needed := _fewest(explorer, node, visit, inputs)):
+            leads_on = partial(_leads_on, explorer, node, visit)
+            if len(inputs) > MAX_TOGETHER and (needed := _fewest(explorer, visit, (), inputs, leads_on)):
                 yield needed
                 break
 
 
-def _fewest(explorer: Explorer, node: StateNode, visit: Visit, inputs: list[Channel]) -> Causes:
-    """Return the changes of inputs that lead on together, none if none do; by halves others are left out."""
+def _fewest(
+    explorer: Explorer,
+    visit: Visit,
+    causes: Causes,
+    inputs: list[Channel],
+    leads_on: Callable[[Trial], bool],
+) -> Causes:
+    """Return changes with those inputs that lead on together, none if none do; by halves others are left out."""
 
     def changes(inputs: Iterable[Channel]) -> Causes:
-        return tuple(sorted(_flipped(each, visit.levels) for each in inputs))
+        return tuple(sorted((*causes, *(_flipped(each, visit.levels) for each in inputs))))
 
-    def leads_on(inputs: Iterable[Channel]) -> bool:
+    def succeeds(inputs: list[Channel]) -> bool:
         trial = explorer.changed(visit, changes(inputs))
-        return not explorer.trials.is_over and _leads_on(explorer, node, visit, trial)
+        return not explorer.trials.is_over and leads_on(trial)
 
-    if not leads_on(inputs):
+    if not succeeds(inputs):
         return ()
     needed, size = inputs, len(inputs)
     while size > 1:
         size = (size + 1) // 2
         for first in reversed(range(0, len(needed), size)):
             fewer = needed[:first] + needed[first + size :]
-            needed = fewer if fewer and leads_on(fewer) else needed
+            needed = fewer if fewer and succeeds(fewer) else needed
     return changes(needed)
 
 
@@ -163,6 +171,12 @@ def behind(
     """Yield changes that lead on with one more channel that was read behind them, until the next rest."""
     read = _read_before(explorer, trial, rest, TriedWay(visit, causes, trial))
     yield from with_more(explorer, node, visit, causes, read)
+    changed = {each.channel for each in causes}
+    inputs = [
+        each for each in read if each[0] == "input" and each not in changed and each not in explorer.given
+    ]
+    if len(inputs) > 1 and (needed := _fewest(explorer, visit, causes, inputs, explorer.is_news)):
+        yield needed
 
 
 def with_more(

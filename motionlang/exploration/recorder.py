@@ -72,6 +72,8 @@ class TrialRecorder(Hook):
     def begin(self, since: float, snapshot_at: float) -> None:
         """Begin an empty record from a time on, s, and take a snapshot at another one."""
         self.since, self._snapshot_at = since, snapshot_at
+        # Until the last change of the world nothing that repeats is idle, s.
+        self.last_change = since
         # The state of the run at `snapshot_at`, and the statement that had begun last.
         self.snapshot: tuple[Snapshot, int] | None = None
         self._clear()
@@ -175,7 +177,8 @@ class TrialRecorder(Hook):
         name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
         self.statements[name].append(Begun(time, offset, self._callers_of(task)))
         self._remember(scheduler.parent, time)
-        if offset not in self._places or self._machine.moves_made != self._moves:
+        is_new = offset not in self._places or self._machine.moves_made != self._moves
+        if is_new or time < self.last_change:
             self._places.add(offset)
             self.seen.add(offset)
             self._moves, self._news = self._machine.moves_made, self.count

@@ -290,9 +290,10 @@ class Explorer:
         since = min((each.begin for each in trial.moves if each.line in work), default=inf)
         said = {without_figures(each.text): each.text for each in trial.prints if each.time >= since}
         if work:
-            found = Work(
-                trial.timeline, cycle.period, frozenset(work), frozenset(outputs), frozenset(said.values())
-            )
+            lines = frozenset(work)
+            done = lines & {each.line for each in trial.moves if each.end < inf and not each.ended}
+            texts = frozenset(said.values())
+            found = Work(trial.timeline, cycle.period, lines, done, frozenset(outputs), texts)
             self.working.append(found)
 
     def _reached(self, rest: Rest, trial: Trial) -> tuple[StateNode, Visit]:
@@ -377,6 +378,7 @@ class Explorer:
                 until - (since if causes else max(visit.time, 0.0)),
                 lines,
                 frozenset(each.line for each in part.moves if not each.is_homing),
+                frozenset(each.line for each in part.moves if each.end < inf and not each.ended),
                 frozenset(each.channel for each in part.outputs if each.value),
                 self.acts(part),
                 fails or bool(handled),

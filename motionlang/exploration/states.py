@@ -75,8 +75,8 @@ class Transition:
     """A way from a state to the next one.
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
-    those that move an axis, in order, `work` those that do more than a homing, and `outputs` are switched on. `acts`
-    are the moves, outputs and printed lines in order. `is_cut` is True if a handler ran that commands anything, or a
+    those that move an axis, in order, `work` those that do more than a homing, `done` those with a move that ends by
+    itself, and `outputs` are switched on. `acts` are the moves, outputs and printed lines in order. `is_cut` is True if a handler ran that commands anything, or a
     fault cut off a move. `visit` is that of the source from which it was found, `is_later` if that is no shortest one.
     `begun` are the source offsets of the statements that began. `is_by_itself` is True if the stay ends without the
     changes at that time. Two transitions do the same if `does` is equal. `variants` are other values of the same
@@ -89,6 +89,7 @@ class Transition:
     seconds: float
     lines: tuple[int, ...]
     work: frozenset[int]
+    done: frozenset[int]
     outputs: frozenset[int]
     acts: tuple[Act, ...]
     is_cut: bool
@@ -178,11 +179,15 @@ class StateNode:
 
 
 class Work(NamedTuple):
-    """Work that a program repeats without a rest: its period, s, the lines that move an axis, outputs, what it says."""
+    """Work that a program repeats without a rest: its period, s, the lines that move an axis, outputs, what it says.
+
+    `done` are the lines whose moves end by themselves.
+    """
 
     timeline: Timeline
     period: float
     lines: frozenset[int]
+    done: frozenset[int]
     outputs: frozenset[int]
     said: frozenset[str]
 

@@ -196,6 +196,7 @@ class Trials:
             recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
             recorder = TrialRecorder(self.memory.all, self._written, self._switches, since)
+            recorder.last_change = last
             self.last = self._run(tables_of(timeline), until, recorder)
         trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import chain, pairwise
 from math import inf, isfinite
 from typing import TYPE_CHECKING
@@ -35,6 +35,8 @@ USUAL: dict[str, Sequence[float | str]] = {
     "dpr": (10,),
     "modbus.register": (10,),
 }
+# A level is tried so far from where a comparison turns, percent.
+STEP = 2.0
 # So many values are tried of one channel.
 MAX_VALUES = 24
 # An input comes so often at most.
@@ -64,13 +66,13 @@ def is_probe(change: Change) -> bool:
 def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:
     """Return the values of a channel at which comparisons turn, from the trials with two other values of it."""
     a, b = _number(first), _number(second)
-    found: dict[float, None] = {}
+    roots: dict[float, None] = {}
     for at, margins in _margins(one).items():
         for m, n in zip(margins, _margins(other).get(at, []), strict=False):
             slope = (n - m) / (b - a)
             if slope and isfinite(slope):
-                root = a - m / slope
-                found |= dict.fromkeys(value for value in _near(first, root))
+                roots[a - m / slope] = None
+    found = dict.fromkeys(chain.from_iterable(_near(first, each, roots) for each in roots))
     changes = [change for value in found if (change := _change(first, value)) is not None]
     changes += [first._replace(value=text) for text in _words(first, one)]
     if found or first.table == "key":
@@ -204,10 +206,14 @@ def _number(change: Change) -> float:
     return float(ord(change.value)) if isinstance(change.value, str) else change.value
 
 
-def _near(change: Change, root: float) -> tuple[float, ...]:
-    """Return a root, or the next usual value on each side of it."""
+def _near(change: Change, root: float, roots: Collection[float]) -> tuple[float, ...]:
+    """Return a root, or the next usual value on each side of it; of a level not beyond the middle to the next root."""
     if change.table == "analogue":
-        return round(root + 2.0, 1), round(root - 2.0, 1)
+        up = min((each - root for each in roots if each > root), default=inf) / 2
+        down = min((root - each for each in roots if each < root), default=inf) / 2
+        return tuple(
+            round(root + each, 1 if abs(each) == STEP else 3) for each in (min(up, STEP), -min(down, STEP))
+        )
     if not float(root).is_integer():
         return round(root + 0.5), round(root - 0.5)
     return (root,) if change.table in ("key", "answer") else (root, root + 1.0)

@@ -71,7 +71,7 @@ LONGER = 1.5
 # An input that comes and goes, s.
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
 # So many marks are on the way of an axis that goes on and on, and positions are the same within this, uu.
-MARKS, SAME = 1000, 0.01
+MARKS, SAME = 300, 0.01
 # The tables of numbers of a host, and those whose entries may happen again by themselves.
 NUMBERS = ("comms", "netdata", "dpr", "modbus.register")
 WRITES = (*NUMBERS, "coil", "key")

@@ -32,11 +32,6 @@ def motionless(structure: Structure, result: Run) -> bool:
     return bool(first_move(structure)) and not len(result.machine.log.moves)
 
 
-def is_wrong(draft: Draft) -> bool:
-    """True if all that the machine says in its cycle is that something is wrong."""
-    return draft.world.cycle.is_wrong
-
-
 def notes(structure: Structure, draft: Draft) -> list[str]:
     """Return one line for each thing that an engineer checks first."""
     result, exploration = draft.run, draft.exploration
@@ -57,10 +52,9 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     found += _unused(result)
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
-    if is_wrong(draft):
-        said = ", ".join(dict.fromkeys(draft.world.cycle.said))
-        missed = _lines(exploration.missed)
-        found.append(f"no good piece was found: the best cycle prints {said}; not reached: {missed}")
+    if fault := draft.world.cycle.fault:
+        missed = f"; not reached: {_lines(exploration.missed)}" if exploration.missed else ""
+        found.append(f"no good piece was found: the best cycle {fault}{missed}")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
         found += _stays(exploration)
