@@ -254,11 +254,10 @@ def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequen
     if at not in explorer.banks and way is not None:
         levels, changed = way.visit.levels, {each.channel for each in way.causes}
         usual = compared_in(way.trial or explorer.play(way.visit.timeline, 0.0))
-        left, found, turning = (
-            [[each for each in free if each not in changed]],
-            list[Channel](),
-            list[Channel](),
-        )
+        # What another statement reads by itself may lead elsewhere before this one reads the bank.
+        others = [each for each in free if each not in changed and each not in explorer.alone]
+        alone = [each for each in free if each not in changed and each in explorer.alone]
+        left, found, turning = [others, alone], list[Channel](), list[Channel]()
         while left and not explorer.trials.is_over:
             some = left.pop()
             changes = tuple(_flipped(each, levels) for each in some)

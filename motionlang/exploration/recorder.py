@@ -14,6 +14,8 @@ from motionlang.kernel.lang import Snapshot
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move. A run
 # that is not recorded ends if this holds for the larger number.
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
+# It ends earlier if it only prints again and again: so many lines in a time, s.
+MAX_PRINTED, FLOOD = 500, 0.5
 # Readings of a statement that are no further apart are one span, s.
 SAME_SPAN = 1.0
 # Where the name of a task would be, in a record of what handlers do.
@@ -95,9 +97,11 @@ class TrialRecorder(Hook):
         # The statement that handlers have interrupted; -1 if none runs.
         self._interrupted = -1
         self._is_recorded = False
-        # The places since `since`, the moves so far, and the number of the last statement with something new.
+        # The places since `since`, the moves so far, and the last statement with something new: its number, its time,
+        # and the lines printed by then.
         self._places: set[int] = set()
-        self._moves = self._news = 0
+        self._moves = self._news = self._printed = 0
+        self._news_at = -inf
         # The calls of the last statement of each task: how many, the innermost one, and their offsets.
         self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
 
@@ -182,7 +186,9 @@ class TrialRecorder(Hook):
             self._places.add(offset)
             self.seen.add(offset)
             self._moves, self._news = self._machine.moves_made, self.count
-        self.is_idle = self.count - self._news >= MAX_REPEATED
+            self._printed, self._news_at = len(self._machine.log.prints), time
+        floods = len(self._machine.log.prints) - self._printed >= MAX_PRINTED and time - self._news_at < FLOOD
+        self.is_idle = floods or self.count - self._news >= MAX_REPEATED
         if self.count < MAX_STATEMENTS and not self.is_idle:
             return False
         scheduler.until = time

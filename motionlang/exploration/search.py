@@ -79,6 +79,8 @@ class Explorer:
         self.changed_in: set[Hashable] = set()
         # What the trials have seen that were taken.
         self._seen: set[Seen] = set()
+        # What statements read that read no bank.
+        self.alone: set[Channel] = set()
         # The inputs that matter of the banks that statements read, by source offset.
         self.banks: dict[int, list[Channel]] = {}
         # The lines that move an axis in any transition.
@@ -112,6 +114,7 @@ class Explorer:
             self.progress(min(self.trials.work / self.whole, 1.0))
             trial = self.trials.play(timeline, since, is_settled)
             for at, channels in trial.readings.items():
+                self.alone |= channels.keys() if len(channels) <= questions.MAX_READ else set()
                 read = list(channels) if len(channels) <= questions.MAX_READ else self.banks.get(at, ())
                 self.read |= dict.fromkeys(each for each in read if each not in self.given)
             if self.trials.is_over or not self.switches.add(self.trials.last):
