@@ -1,4 +1,4 @@
-"""Build the tree of a program: a method for each alternative of grammars/mint.lark.
+"""Build the tree of a program: the methods that the alternatives of grammars/mint.lark name.
 
 Lark calls the method when it has read the alternative, with a token or a value for each symbol, and None for what is
 left out of `[…]`. Most methods make one node. A node extends from its first token to its last. An expression in
@@ -283,23 +283,10 @@ class Builder(Transformer[lark.Token, Module]):
         branches.append(If(first.start_pos, condition.end, condition, [], []))
         return branches
 
-    def block_if(self, branches: list[If], body: list[Stmt], last: Token) -> If:
-        return self._if(branches, body, [], last)
-
-    def block_if_else(
-        self,
-        branches: list[If],
-        body: list[Stmt],
-        _else: object,
-        _separator: object,
-        orelse: list[Stmt],
-        last: Token,
-    ) -> If:
-        """Complete a block If that has an Else."""
-        return self._if(branches, body, orelse, last)
-
-    def _if(self, branches: list[If], body: list[Stmt], orelse: list[Stmt], last: Token) -> If:
-        """Complete a block If: each branch is in the Else of the one before."""
+    def block_if(self, branches: list[If], body: list[Stmt], *symbols: Any) -> If:
+        """Complete a block If, with its Else if it has one: each branch is in the Else of the one before."""
+        *others, last = symbols
+        orelse: list[Stmt] = others[-1] if others else []
         branches[-1].body = body
         for branch in reversed(branches):
             branch.orelse, branch.end = orelse, last.end_pos
@@ -334,26 +321,17 @@ class Builder(Transformer[lark.Token, Module]):
         variable = Name(name.start_pos, name.end_pos, _word(name))
         return For(word.start_pos, stop.end, variable, first, stop, step, [])
 
-    def for_loop(self, loop: For, body: list[Stmt], next_word: Token, name: Token | None) -> For:
-        """Complete a For; raise Misuse if `Next` names another variable."""
+    def for_loop(self, loop: For, body: list[Stmt], first: Token, *names: Token | None) -> For:
+        """Complete a For; raise Misuse if its last symbol, its name, is another variable."""
+        name = names[0] if names else first
         if name and name.lower() != loop.variable.name.lower():
             raise Misuse
-        loop.body, loop.end = body, (name or next_word).end_pos
+        loop.body, loop.end = body, (name or first).end_pos
         loop.last_name = None if name is None else _word(name)
         return loop
 
-    def for_shared(self, loop: For, body: list[Stmt], name: Token) -> For:
-        return self.for_loop(loop, body, name, name)
-
-    def shared(
-        self, statements: list[Stmt], loop: For, body: list[Stmt], _next: object, name: Token, _comma: object
-    ) -> list[Stmt]:
-        return self.add(statements, self.for_loop(loop, body, name, name))
-
-    def shared_again(
-        self, statements: list[Stmt], loop: For, body: list[Stmt], name: Token, _comma: object
-    ) -> list[Stmt]:
-        return self.add(statements, self.for_loop(loop, body, name, name))
+    def shared(self, statements: list[Stmt], loop: For, body: list[Stmt], *symbols: Token) -> list[Stmt]:
+        return self.add(statements, self.for_loop(loop, body, *symbols[:-1]))
 
     def while_loop(
         self, first: Token, condition: Expr, _separator: object, body: list[Stmt], last: Token
@@ -411,11 +389,8 @@ class Builder(Transformer[lark.Token, Module]):
     ) -> Assign:
         return Assign(target.start, _end(semicolon or values[-1]), target, values, semicolon is not None)
 
-    def one_omitted(self, comma: Token) -> list[Expr]:
-        return [Omitted(comma.start_pos, comma.start_pos)]
-
-    def add_omitted(self, values: list[Expr], comma: Token) -> list[Expr]:
-        return self.add(values, Omitted(comma.start_pos, comma.start_pos))
+    def omitted(self, comma: Token) -> Expr:
+        return Omitted(comma.start_pos, comma.start_pos)
 
     def call(self, target: Name) -> Call:
         return Call(target.start, target.end, target)
@@ -440,30 +415,13 @@ class Builder(Transformer[lark.Token, Module]):
         end = [*values, *using, *items][-1].end
         return Print(name.start_pos, end, [*shown, *items], None, _word(name), row)
 
-    def rest(self, semicolon: Token, items: list[PrintItem], last: PrintItem | None) -> Rest:
+    def rest(self, *symbols: Any) -> Rest:
         """Return the formats and the separator after the values of a LINE, and further items."""
-        return [], str(semicolon), self._items(items, last)
+        *using, separator, items, last = symbols
+        return self._formats(using), str(separator), self._items(items, last)
 
     def last_rest(self, _using: object, formats: list[Expr]) -> Rest:
         return formats, "", []
-
-    def formatted_rest(
-        self, _using: object, width: Expr, semicolon: Token, items: list[PrintItem], last: PrintItem | None
-    ) -> Rest:
-        return [width], str(semicolon), self._items(items, last)
-
-    def rest_of_two_formats(
-        self,
-        _using: object,
-        width: Expr,
-        _comma: object,
-        decimals: Expr,
-        separator: Token,
-        items: list[PrintItem],
-        last: PrintItem | None,
-    ) -> Rest:
-        """`USING width, decimals; …` after the values of a LINE."""
-        return [width, decimals], str(separator), self._items(items, last)
 
     def _items(self, items: list[PrintItem], last: PrintItem | None) -> list[PrintItem]:
         return items if last is None else [*items, last]
@@ -481,38 +439,19 @@ class Builder(Transformer[lark.Token, Module]):
         items = self._items(items, last)
         return Print(first.start_pos, _end(items[-1] if items else comma or first), items, terminal)
 
-    def item(self, items: list[PrintItem], value: Expr, separator: Token) -> list[PrintItem]:
-        return self.add(items, self._item(value, [], separator))
+    def item(self, items: list[PrintItem], value: Expr, *symbols: Token | Expr) -> list[PrintItem]:
+        return self.add(items, self.open_item(value, *symbols))
 
-    def formatted_item(
-        self, items: list[PrintItem], value: Expr, _using: object, width: Expr, separator: Token
-    ) -> list[PrintItem]:
-        return self.add(items, self._item(value, [width], separator))
+    def open_item(self, value: Expr, *symbols: Token | Expr) -> PrintItem:
+        """`value USING width, decimals;`, with its separator."""
+        *using, separator = symbols
+        return PrintItem(value.start, _end(separator), value, self._formats(using), str(separator))
 
-    def item_of_two_formats(
-        self,
-        items: list[PrintItem],
-        value: Expr,
-        _using: object,
-        width: Expr,
-        _comma: object,
-        decimals: Expr,
-        separator: Token,
-    ) -> list[PrintItem]:
-        """`value USING width, decimals;`."""
-        return self.add(items, self._item(value, [width, decimals], separator))
+    def last_item(self, value: Expr, _using: object = None, formats: Sequence[Expr] = ()) -> PrintItem:
+        return PrintItem(value.start, [value, *formats][-1].end, value, [*formats], "")
 
-    def last_item(self, value: Expr) -> PrintItem:
-        return PrintItem(value.start, value.end, value, [], "")
-
-    def last_formatted_item(self, value: Expr, _using: object, formats: list[Expr]) -> PrintItem:
-        return PrintItem(value.start, formats[-1].end, value, formats, "")
-
-    def last_open_item(self, value: Expr, _using: object, width: Expr, comma: Token) -> PrintItem:
-        return self._item(value, [width], comma)
-
-    def _item(self, value: Expr, using: list[Expr], separator: Token) -> PrintItem:
-        return PrintItem(value.start, separator.end_pos, value, using, str(separator))
+    def _formats(self, symbols: Sequence[Token | Expr]) -> list[Expr]:
+        return [each for each in symbols if isinstance(each, Node)]
 
     def input(
         self,
@@ -537,12 +476,7 @@ class Builder(Transformer[lark.Token, Module]):
     def variable(self, name: Name, _as: object = None, kind: TypeName | None = None) -> Variable:
         return self._variable(name, kind, [])
 
-    def valued(self, name: Name, _equal: object, value: Expr) -> Variable:
-        return self._variable(name, None, [value])
-
-    def typed_and_valued(
-        self, name: Name, _as: object, kind: TypeName, _equal: object, value: Expr
-    ) -> Variable:
+    def valued(self, name: Name, _as: object, kind: TypeName | None, _equal: object, value: Expr) -> Variable:
         return self._variable(name, kind, [value])
 
     def _variable(self, name: Name, kind: TypeName | None, values: list[Expr]) -> Variable:
@@ -604,11 +538,8 @@ class Builder(Transformer[lark.Token, Module]):
     def name(self, token: Token) -> Name:
         return Name(token.start_pos, token.end_pos, _word(token))
 
-    def name_with_none(self, token: Token, _open: object, close: Token) -> Name:
-        return Name(token.start_pos, close.end_pos, _word(token), [])
-
-    def name_with(self, token: Token, _open: object, values: list[Expr], close: Token) -> Name:
-        return Name(token.start_pos, close.end_pos, _word(token), values)
+    def name_with(self, token: Token, _open: object, values: list[Expr] | None, close: Token) -> Name:
+        return Name(token.start_pos, close.end_pos, _word(token), values or [])
 
     def name_of_axes(self, token: Token, _open: object, values: list[Expr], close: Token) -> Name:
         return Name(token.start_pos, close.end_pos, _word(token), values, True)
@@ -620,20 +551,17 @@ class Builder(Transformer[lark.Token, Module]):
         values: list[Expr] = [Number(start, end, _value(each)) for each in channels]
         return Name(start, end, Word(text, start, start + len(text)), values, True)
 
-    def member(self, value: Name | Member, _dot: object, field: Token) -> Member:
-        return Member(value.start, field.end_pos, value, _word(field))
-
-    def member_with(
+    def member(
         self,
         value: Name | Member,
         _dot: object,
         field: Token,
         _open: object,
-        values: list[Expr],
-        close: Token,
+        values: list[Expr] | None,
+        close: Token | None,
     ) -> Member:
-        """`value.field(…)`, an element of an array in a record."""
-        return Member(value.start, close.end_pos, value, _word(field), values)
+        """`value.field`, or `value.field(…)`: an element of an array in a record."""
+        return Member(value.start, (close or field).end_pos, value, _word(field), values)
 
     def binary(self, left: Expr, op: Token, right: Expr) -> Binary:
         return Binary(left.start, right.end, OPERATORS.get(op.type) or str(op), left, right)
