@@ -11,29 +11,21 @@ from collections.abc import Iterable, Iterator, Mapping
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.dialect import Dialect, dialect, unknown_model
 from motionlang.kernel.lang.machine.keys import (
-    BUS_EVENTS,
+    CHOICES,
     EXPECTED,
-    FAULT_KINDS,
     KEYS,
     LAST_LINE,
     LAST_REGISTER,
     MAX_AXES,
     MEANT,
-    MOTORS,
     NAMED,
-    NODE_EVENTS,
     OF_A_NODE,
     OF_DIALECTS,
-    OUTCOMES,
     REQUIRED,
     SERVO,
     SHORTEST_PERIOD,
-    STOP_EVENTS,
     STOPS,
     TABLES,
-    TERMINALS,
-    VIEWS,
-    WIDTHS,
 )
 from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
 from motionlang.kernel.lang.machine.switch import problem as reading_problem
@@ -54,6 +46,11 @@ _MAX_OPEN = 100
 _QUOTED = r'''"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|#[^\n]*'''
 _COMPONENT = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _LONG_KEY = rf"(?<![\w-]){_COMPONENT}(?:[ \t]*\.[ \t]*{_COMPONENT}){{{_MAX_COMPONENTS}}}"
+# The range of each kind of whole numbers.
+_WHOLE = {"channel": (0, 999), "times": (1, 10_000), "node": (0, 255), "port": (1, 8), "dpr": (0, 4095)}
+# The values of each kind of choice; a TOML file has a flag as a truth value.
+_CHOICES = {"event": EVENTS, **{kind: each for kind, each in CHOICES.items() if kind != "flag"}}
+_WORDS = {"motor": "must be servo or stepper", "terminal": "must be 1, 2, 4, 8, 16, 32, 64 or 128"}
 
 
 def read_machine(
@@ -389,6 +386,13 @@ def _kind_problem(kind: str, value: object) -> str | None:
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     finite = number and abs(value) < 1e300  # type: ignore[arg-type]
     whole = number and isinstance(value, int)
+    if kind in _WHOLE:
+        low, high = _WHOLE[kind]
+        fits = whole and low <= value <= high  # type: ignore[operator]
+        return None if fits else f"must be a whole number from {low} to {high}"
+    if kind in _CHOICES:
+        words = _WORDS.get(kind) or f"must be one of {', '.join(map(str, _CHOICES[kind]))}"
+        return None if value in _CHOICES[kind] else words
     tests = {
         "text": (isinstance(value, str), "must be a text"),
         "names": (
@@ -397,35 +401,19 @@ def _kind_problem(kind: str, value: object) -> str | None:
         ),
         "flag": (isinstance(value, bool), "must be true or false"),
         "count": (whole, "must be a whole number"),
-        "channel": (whole and 0 <= value < 1000, "must be a whole number from 0 to 999"),  # type: ignore[operator]
         "number": (finite, "must be a number"),
         "percentage": (finite and abs(value) <= 100, "must be a percentage, -100 to 100"),  # type: ignore[arg-type]
         "time": (finite and value >= 0, "must be a time, 0 or more"),  # type: ignore[operator]
         "positive": (finite and value > 0, "must be a number above 0"),  # type: ignore[operator]
-        "times": (whole and 1 <= value <= 10_000, "must be a whole number from 1 to 10000"),  # type: ignore[operator]
         "pair": (_is_pair(value), "must be two numbers, the lower first"),
         "reading": (finite or isinstance(value, (bool, str)), "must be a number, a text, true or false"),
         "line": (whole and 0 < value <= LAST_LINE, "must be the number of a line"),  # type: ignore[operator]
         "register": (whole and 0 <= value <= LAST_REGISTER, f"must be 0 to {LAST_REGISTER}, whole"),  # type: ignore[operator]
         "registers": (_are_registers(value), 'must be registers with 16-bit values, such as { "6" = 1234 }'),
         "bus": (whole and 1 <= value <= 2, "must be 1 or 2"),  # type: ignore[operator]
-        "node": (whole and 0 <= value <= 255, "must be a whole number from 0 to 255"),  # type: ignore[operator]
-        "port": (whole and 1 <= value <= 8, "must be a whole number from 1 to 8"),  # type: ignore[operator]
-        "dpr": (whole and 0 <= value <= 4095, "must be a whole number from 0 to 4095"),  # type: ignore[operator]
         "level": (finite and value in (0, 1), "must be 0 or 1"),
         "bit": (whole and 0 <= value <= 1, "must be 0 or 1"),  # type: ignore[operator]
-        "terminal": (value in TERMINALS, "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
-        "stop event": (value in STOP_EVENTS, f"must be one of {', '.join(STOP_EVENTS)}"),
-        "width": (value in WIDTHS, f"must be one of {', '.join(WIDTHS)}"),
-        "node event": (value in NODE_EVENTS, f"must be one of {', '.join(NODE_EVENTS)}"),
-        "bus event": (value in BUS_EVENTS, f"must be one of {', '.join(BUS_EVENTS)}"),
-        "view": (value in VIEWS, f"must be one of {', '.join(VIEWS)}"),
-        "outcome": (value in OUTCOMES, f"must be one of {', '.join(OUTCOMES)}"),
-        "motor": (value in MOTORS, f"must be {' or '.join(MOTORS)}"),
-        "fault": (value in FAULT_KINDS, f"must be one of {', '.join(FAULT_KINDS)}"),
     }
-    if kind == "event":
-        return None if value in EVENTS else f"must be one of {', '.join(EVENTS)}"
     fits, words = tests[kind]
     return None if fits else words
 

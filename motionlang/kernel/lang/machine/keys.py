@@ -365,7 +365,6 @@ EXPECTED: dict[str, tuple[str, ...]] = {
     "status": (),
     "diagnostic": (),
 }
-OUTCOMES = ("ended", "until", "stopped", "fault")
 # The keys that an entry of each table must have.
 REQUIRED = {
     "input": ("channel",),
@@ -411,30 +410,22 @@ ABOUT: dict[str, dict[str, object]] = {
 }  # fmt: skip
 # The shortest period of an input that repeats until the end of the run, s: a shift has 2.9 million of them.
 SHORTEST_PERIOD = 0.01
-VIEWS = ("integer", "float")
-TERMINALS = (1, 2, 4, 8, 16, 32, 64, 128)
-WIDTHS = ("word", "integer", "float")
-NODE_EVENTS = ("live", "dead", "emergency")
-BUS_EVENTS = ("operational", "passive", "off", "receive-overrun", "transmit-overrun")
 # The keys that identify the subject of a [[remote]] entry.
 OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
-# The events that may end a run: those of the log, and a question for which no answer is left.
-STOP_EVENTS = (*EVENTS, "input")
 STOPS = ("run.stop.event", "run.stop.prints", "run.stop.line")
 LAST_REGISTER = 65535
 LAST_LINE = 99_999_999
-MOTORS = ("servo", "stepper")
-FAULT_KINDS = ("following-error", "error-input", "forward-limit", "reverse-limit", "drive", "controller")
 # The values of kinds that are a choice.
 CHOICES: dict[str, tuple[object, ...]] = {
     "flag": ("true", "false"),
-    "motor": MOTORS,
-    "fault": FAULT_KINDS,
-    "width": tuple(WIDTHS),
-    "node event": tuple(NODE_EVENTS),
-    "bus event": tuple(BUS_EVENTS),
-    "view": tuple(VIEWS),
-    "outcome": tuple(OUTCOMES),
-    "stop event": STOP_EVENTS,
-    "terminal": tuple(TERMINALS),
+    "motor": ("servo", "stepper"),
+    "fault": ("following-error", "error-input", "forward-limit", "reverse-limit", "drive", "controller"),
+    "width": ("word", "integer", "float"),
+    "node event": ("live", "dead", "emergency"),
+    "bus event": ("operational", "passive", "off", "receive-overrun", "transmit-overrun"),
+    "view": ("integer", "float"),
+    "outcome": ("ended", "until", "stopped", "fault"),
+    # Those of the log, and a question for which no answer is left.
+    "stop event": (*EVENTS, "input"),
+    "terminal": (1, 2, 4, 8, 16, 32, 64, 128),
 }
