@@ -17,6 +17,9 @@ from motionlang.kernel import Keyword
 from motionlang.kernel.lang import ENDLESS, STOP, TEST, UNTIL, Statement, Structure, Use
 from motionlang.kernel.lang import AxisKey as Key
 
+# Roles of keywords that load the move buffer, and so wait while it is full.
+LOADS = frozenset(("move", "entry", "course", "path"))
+
 
 class NamedParameter(Protocol):
     """A parameter of a part."""
@@ -175,6 +178,13 @@ class Facts:
         if len(keys) == 1:
             return found
         return {p: [_without_parameters(use) for use in uses] for p, uses in found.items()}
+
+    def driven_inputs(self) -> set[int] | None:
+        """Return the digital inputs that the machine file drives; None without one: then every input may change."""
+        if all(key.startswith(("controller.", "run.")) for key in self.settings):
+            return None
+        found: set[int] = {entry["channel"] for entry in self.settings.get("input", ())}  # type: ignore[attr-defined]
+        return found | {value for key, value in self.settings.items() if key.endswith("_input")}  # type: ignore[misc]
 
     def may_fail(self, act: Use, axis: AxisFacts) -> tuple[bool, bool]:
         """Return if an act may be rejected in the state of its axis (its line ends there), and if it certainly is."""

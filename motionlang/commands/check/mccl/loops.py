@@ -10,6 +10,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mccl import Command
 
+# Commands that repeat the line or jump within it.
+REPEATS = frozenset({"repeat", "jump", "jump_by"})
 # Commands that take time, or after which anything may happen.
 _UNSURE = ("get_", "start_task", "find_", "path")
 

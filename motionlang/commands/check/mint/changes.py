@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import IDLE, AllAxes
-from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.mint.conditions import Conditional
 from motionlang.kernel.mint.resolve.folding import binary, unary
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
@@ -119,5 +118,5 @@ def _is_dead_input(facts: MintFacts, name: nodes.Name) -> bool:
     row = name.row
     if row is None or row.driven != "input" or row.index != "input" or not name.args:
         return False
-    channel, driven = facts.number(name.args[0]), driven_inputs(facts.settings)
+    channel, driven = facts.number(name.args[0]), facts.driven_inputs()
     return channel is not None and driven is not None and channel not in driven

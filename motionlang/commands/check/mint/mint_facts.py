@@ -151,6 +151,10 @@ class MintFacts(Facts):
     def limits_in_force(self, key: Key, axis: AxisFacts) -> frozenset[str]:
         return frozenset() if self._may_pass("SOFTLIMITMODE", key) else super().limits_in_force(key, axis)
 
+    def triggered(self) -> set[Key]:
+        """Return the axes whose moves may start without a GO."""
+        return self.named("TRIGGERMODE")
+
     def passes_switches(self, key: Key) -> bool:
         return self._may_pass("LIMITMODE", key)
 

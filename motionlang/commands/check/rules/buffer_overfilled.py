@@ -9,9 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import IDLE
-from motionlang.commands.check.mint.buffers import LOADS, triggered
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
-from motionlang.commands.check.rule_facts import spelt
+from motionlang.commands.check.rule_facts import LOADS, spelt
 from motionlang.kernel.lang import HEAD, NEXT
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, meaning, walk
@@ -29,7 +28,7 @@ _EMPTIES = frozenset(("go", "stop", "act", "course", "path", "call"))
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
-    sizes, without_go = facts.constants(facts.word("buffer_size")), triggered(facts)
+    sizes, without_go = facts.constants(facts.word("buffer_size")), facts.triggered()
 
     def size_of(key: Key) -> float | None:
         """Return the number of entries that the buffer of an axis holds, None if unknown."""

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.mint.changes import at_rest, may_change, unchanging_loops
 from motionlang.commands.check.mint.conditions import MARGIN, Unattainable, awaited
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
@@ -110,7 +109,7 @@ def _check_position(use: Use, text: str, axis: AxisFacts, warn: Warn) -> None:
 
 def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
     """Report waits for inputs that no entry of the machine file drives."""
-    driven = driven_inputs(facts.settings)
+    driven = facts.driven_inputs()
     inverted = any(command.function in _POLARITIES for command, _ in facts.commands)
     outputs = {command.number for command, _ in facts.commands if command.function == "channel_output"}
     if driven is None or None in outputs:

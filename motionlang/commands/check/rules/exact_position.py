@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.axis_state import IDLE, MOVES
-from motionlang.commands.check.mccl.functions import REPEATS
+from motionlang.commands.check.mccl.loops import REPEATS
 from motionlang.commands.check.mint.conditions import Unattainable, awaited
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.commands.check.rule_facts import spelt

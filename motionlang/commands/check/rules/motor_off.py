@@ -7,18 +7,22 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mccl.functions import MOVES
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+
+# Commands that start a motion.
+_MOVES = frozenset((
+    "move_to", "move_by", "go_home", "go", "move_to_point", "find_index", "find_edge", "path", "slave", "jog_on",
+))  # fmt: skip
 
 
 def check(facts: MacroFacts, warn: Warn) -> None:
     on = {command.axis for command, _ in facts.commands if command.function == "motor_on"}
     reported: set[int] = set()
     for command, at in facts.commands:
-        if command.function not in MOVES or command.axis in reported:
+        if command.function not in _MOVES or command.axis in reported:
             continue
         if not on if command.axis == 0 else not on & {0, command.axis}:
             reported.add(command.axis)

@@ -11,9 +11,8 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mint.buffers import LOADS, triggered
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
-from motionlang.commands.check.rule_facts import spelt
+from motionlang.commands.check.rule_facts import LOADS, spelt
 from motionlang.kernel.mccl import table
 
 if TYPE_CHECKING:
@@ -39,7 +38,7 @@ _STARTS = {"velocity_mode": "go", "contour_mode": "path"}
 def check_mint(facts: MintFacts, warn: Warn) -> None:
     roots = [each for each in facts.functions if each.kind != "sub"]
     started = set().union(*(facts.touched(root, _GO) for root in roots))
-    without_go = triggered(facts)
+    without_go = facts.triggered()
     for function in facts.functions:
         keys = (key for act in facts.acts_of[function] if act.role in LOADS for key in act.axes)
         bits = {key: 1 << n for n, key in enumerate(dict.fromkeys(keys))}

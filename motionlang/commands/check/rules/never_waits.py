@@ -9,9 +9,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mccl.loops import endless_cycles
-from motionlang.commands.check.mint.buffers import LOADS
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
-from motionlang.commands.check.rule_facts import spelt
+from motionlang.commands.check.rule_facts import LOADS, spelt
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meaning, walk
 

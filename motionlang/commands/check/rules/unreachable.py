@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mccl.functions import LEAVES, REPEATS
+from motionlang.commands.check.mccl.loops import REPEATS
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
 
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.mccl import Line
 
+# Commands after which the line does not continue.
+_LEAVES = frozenset({"jump_macro", "leave"})
 # Statements that do nothing themselves, or that are commonly written as a precaution at the end of a block.
 _SILENT = (nodes.End, nodes.Return, nodes.Exit, nodes.Dim, nodes.Const, nodes.Define, nodes.Label, nodes.Auto)
 
@@ -50,7 +52,7 @@ def _check_commands(line: Line, reached: set[int], warn: Warn) -> None:
         elif not is_reported:
             is_reported = True
             # The first command runs, so there is one between that does not lead to the next.
-            before = next(each for each in reversed(line.commands[:k]) if each.function in REPEATS | LEAVES)
+            before = next(each for each in reversed(line.commands[:k]) if each.function in REPEATS | _LEAVES)
             repeats = before.function == "repeat"
             why = "repeats the commands before it forever" if repeats else "always jumps elsewhere"
             warn(f"this command can never run: {before.text} {why}", at)

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.inputs import driven_inputs
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.lang import BANK
 from motionlang.kernel.mccl import models_with, table
@@ -74,7 +73,7 @@ def _check_bank(facts: MintFacts, node: nodes.Expr, warn: Warn) -> None:
     if not bank or one is None:
         return
     first, last = int(bank) * BANK, int(bank) * BANK + BANK - 1
-    if name.row.driven == "input" and set(range(first, last + 1)) & (driven_inputs(facts.settings) or set()):
+    if name.row.driven == "input" and set(range(first, last + 1)) & (facts.driven_inputs() or set()):
         return
     written = facts.module.source.text[name.start : name.end]
     message = f"{written} is a bank, with the {one.index}s {first} to {last}"
