@@ -190,8 +190,7 @@ def _without_options(hint: str) -> str:
 
 def _settings(machine: Source, dialect: str) -> dict[str, object]:
     from motionlang.kernel.lang.dialect import dialect as language
-    from motionlang.kernel.lang.machine.axes import missing_axes
-    from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
+    from motionlang.kernel.lang.machine.machine import DEFAULT_AXES, missing_axes
 
     if not machine.text.strip():
         return {}

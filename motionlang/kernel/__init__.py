@@ -49,7 +49,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.dialect import parse as parse
     from motionlang.kernel.lang.dialect import unknown_model as unknown_model
     from motionlang.kernel.lang.keyword import Keyword as Keyword
-    from motionlang.kernel.lang.machine.axes import missing_axes as missing_axes
     from motionlang.kernel.lang.machine.entries import WrongEntry as WrongEntry
     from motionlang.kernel.lang.machine.entries import entries as entries
     from motionlang.kernel.lang.machine.entries import with_entries as with_entries
@@ -58,6 +57,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.file import read_value as read_value
     from motionlang.kernel.lang.machine.machine import DEFAULT_AXES as DEFAULT_AXES
     from motionlang.kernel.lang.machine.machine import Machine as Machine
+    from motionlang.kernel.lang.machine.machine import missing_axes as missing_axes
     from motionlang.kernel.lang.program import Program as Program
     from motionlang.kernel.lang.scheduler import Outside as Outside
     from motionlang.kernel.lang.scheduler import Scheduler as Scheduler
@@ -94,8 +94,7 @@ PUBLIC = {
     "report_types": "Report",
     "moves": "Move Moves",
     # Machines.
-    "lang.machine.machine": "Machine DEFAULT_AXES",
-    "lang.machine.axes": "missing_axes",
+    "lang.machine.machine": "Machine DEFAULT_AXES missing_axes",
     "lang.machine.file": "read_machine read_value check_setting",
     "lang.machine.entries": "entries with_entries WrongEntry",
     # While a program runs.

@@ -218,6 +218,11 @@ def missing(error: BaseException, user: str) -> MissingExtra | None:
     return None
 
 
+def signed(word: int) -> int:
+    """Return the lowest 32 bits of an integer in two's complement, as banks of inputs and registers hold them."""
+    return (word + 0x80000000 & 0xFFFFFFFF) - 0x80000000
+
+
 def total(values: Iterable[float]) -> float:
     """Return the sum, rounded once; infinite or NaN if no float represents it."""
     terms = tuple(values)

@@ -1,9 +1,11 @@
-"""HTML pages and SVG pictures: what is around the content of each."""
+"""HTML pages and tables, and what is around the content of an SVG picture."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from html import escape
+
+from motionlang.views.table import Table
 
 
 def page(title: str, body: str, style: str, *, head: str = "") -> str:
@@ -26,3 +28,16 @@ def picture(width: str, height: str, font: str, lines: Iterable[str], more: str 
             "</svg>\n",
         ]
     )
+
+
+def data_cell(heading: str, text: str) -> str:
+    """Return a cell of text, which is escaped."""
+    return f"<td>{escape(text)}</td>"
+
+
+def html_table(table: Table, cell: Callable[[str, str], str] = data_cell) -> str:
+    """Return a table as HTML; `cell` makes a cell from the heading of its column and its text."""
+    heads, rows = table.cells()
+    head = "".join(f"<th>{escape(each)}</th>" for each in heads)
+    lines = ["".join(map(cell, heads, row)) for row in rows]
+    return f"<table>{''.join(f'<tr>{each}</tr>' for each in [head, *lines])}</table>"

@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 from motionlang.kernel import Controller, Move, Moves, Report, Run
 from motionlang.views.chart import velocity_panel
 from motionlang.views.diagnostics import render_all
+from motionlang.views.documents import html_table
 from motionlang.views.figure import Curve, Figure, Panel
 from motionlang.views.figure_files import svg
-from motionlang.views.html_table import html_table
 from motionlang.views.quantities import COLOURS
 from motionlang.views.report import moves_table, render
 from motionlang.views.terminal import printable

@@ -18,7 +18,6 @@ from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import moves as moves_of
 from motionlang.kernel.tools import exact_terms
 from motionlang.views.chart import velocity_chart
-from motionlang.views.device_writes import writes_table
 from motionlang.views.formatting import (
     clock_time,
     decimals_of,
@@ -42,6 +41,8 @@ MAX_TOTALS = 30
 MAX_TERMS = 4096
 # A chart of more moves than this is a solid block.
 MAX_CHARTED, MAX_CHARTS = 200, 4
+# More writes into other devices than this are only in the JSON report.
+MAX_WRITES = 40
 
 # Of very many events, those of these kinds are left out first.
 _USUAL = frozenset({"handler", "buffer full", "stop", "override"})
@@ -343,3 +344,27 @@ def axes_table(rows: Sequence[Row]) -> Table:
 def _state(axis: Row) -> str:
     state = "on" if axis["enabled"] else "off"
     return f"{state}, error {axis['error']}" if axis["error"] else state
+
+
+def writes_table(rows: Sequence[Row]) -> Table:
+    """Return the table of what was written into other devices, the first rows of many."""
+    columns = (
+        Column("", "written to", get=_device, left=True, style="word"),
+        Column("", get=_target, left=True),
+        Column("value"),
+    )
+    table = Table("writes", columns, rows[:MAX_WRITES])
+    if len(rows) > MAX_WRITES:
+        table.notes.append(f"… and {len(rows) - MAX_WRITES} more: --format json has all")
+    return table
+
+
+def _device(row: Row) -> str:
+    return f"Modbus server {row['server']}" if "server" in row else f"node {row['node']} of bus {row['bus']}"
+
+
+def _target(row: Row) -> str:
+    if row["kind"] == "object":
+        return f"object 0x{row['number']:04X}, {row['subindex']}"
+    what = str(row["kind"]).replace("-", " ")
+    return f"{what} {row['number']}" if "number" in row else what

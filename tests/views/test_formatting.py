@@ -6,10 +6,10 @@ import pytest
 
 from motionlang.kernel import Controller
 from motionlang.kernel.tools import count_of
-from motionlang.views.device_writes import MAX_ROWS, writes_table
 from motionlang.views.figure_layout import visible
 from motionlang.views.formatting import clock_time, dialect_name, figure, peak_of, significant
 from motionlang.views.lanes import ChannelLane, lanes
+from motionlang.views.report import MAX_WRITES, writes_table
 from motionlang.views.window import WHOLE, Window
 
 
@@ -167,6 +167,6 @@ def test_writes_to_other_devices() -> None:
         ["node", "5", "of", "bus", "1", "object", "0x6040,", "1", "15"],
         ["node", "5", "of", "bus", "1", "state", "ready"],
     ]
-    many = writes_table(rows[:1] * (MAX_ROWS + 2)).lines(100)
+    many = writes_table(rows[:1] * (MAX_WRITES + 2)).lines(100)
     assert many[-1] == "… and 2 more: --format json has all"
-    assert len(writes_table(rows[:1] * MAX_ROWS).lines(100)) == len(many) - 1
+    assert len(writes_table(rows[:1] * MAX_WRITES).lines(100)) == len(many) - 1

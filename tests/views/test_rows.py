@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.views import device_writes as written
 from motionlang.views.questions import _show_once
+from motionlang.views.report import writes_table
 from tests.cli.programs import Cell
 
 
@@ -28,7 +28,7 @@ def test_at_most_40_segments_of_a_drive_are_listed(count: int, rest: list[str], 
 @pytest.mark.parametrize(("count", "rest"), [(40, 0), (41, 1), (45, 5)])
 def test_at_most_40_writes_are_listed(count: int, rest: int) -> None:
     rows = [{"server": 1, "kind": "holding-register", "number": k, "value": k / 4} for k in range(count)]
-    lines = written.writes_table(rows).lines(100)
+    lines = writes_table(rows).lines(100)
     assert lines[-1] == (
         f"… and {rest} more: --format json has all" if rest else "Modbus server 1  holding register 39   9.75"
     )
@@ -39,7 +39,7 @@ def test_writes_of_texts_and_objects() -> None:
         {"node": 3, "bus": 1, "kind": "object", "number": 0x2005, "subindex": 2, "value": 1e9},
         {"node": 3, "bus": 1, "kind": "state", "value": "reset"},
     ]
-    assert [line.split() for line in written.writes_table(rows).lines(100)[-2:]] == [
+    assert [line.split() for line in writes_table(rows).lines(100)[-2:]] == [
         ["node", "3", "of", "bus", "1", "object", "0x2005,", "2", "1000000000"],
         ["node", "3", "of", "bus", "1", "state", "reset"],
     ]

@@ -10,7 +10,6 @@ from motionlang.commands.cover import Coverage
 from motionlang.kernel.tools import ranges
 from motionlang.kernel.tools import total as total_of
 from motionlang.views import documents
-from motionlang.views.html_table import data_cell, html_table
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled
 
@@ -118,7 +117,7 @@ def lcov(found: Iterable[Coverage]) -> Iterator[str]:
 
 def page(found: Sequence[Coverage]) -> str:
     """Return a self-contained page: the table, and each program with the counts of its lines."""
-    table = html_table(files_table(found), _cell)
+    table = documents.html_table(files_table(found), _cell)
     programs = "".join(map(_program, found))
     title = f"Coverage: {percentage(found):.0f} %"
     return documents.page(title, f"<h1>{title}</h1>{table}{programs}", _STYLE)
@@ -150,7 +149,7 @@ def _cell(heading: str, text: str) -> str:
     return (
         f"<td><a href='#{quote(text)}'>{escape(text)}</a></td>"
         if heading == "file"
-        else data_cell(heading, text)
+        else documents.data_cell(heading, text)
     )
 
 

@@ -12,7 +12,6 @@ from motionlang.commands.diff.ways_view import Names, ways_text
 from motionlang.commands.map import view
 from motionlang.commands.map.program_map import ProgramMap, map_of_exploration
 from motionlang.views import documents
-from motionlang.views.html_table import html_table
 from motionlang.views.table import Column, Table
 
 STYLE = """
@@ -47,7 +46,7 @@ def ways_page(found: WaysCompared, names: Names) -> str:
         known = {each.key for each in rows[1 - k]}
         table = _table(rows[k], [f"only in {letter}" if each.key not in known else "" for each in rows[k]])
         head = f"<h2>{letter}: {escape(side.source.name)}</h2>"
-        parts.append(f'<div>{head}<div class="scroll">{html_table(table, _cell)}</div></div>')
+        parts.append(f'<div>{head}<div class="scroll">{documents.html_table(table, _cell)}</div></div>')
     title = f"{sides[0].source.name} and {sides[1].source.name} in all ways"
     text = f"<h1>{escape(title)}</h1><pre>{escape(ways_text(found, names))}</pre>"
     style = files(view).joinpath("style.css").read_text(encoding="utf-8")

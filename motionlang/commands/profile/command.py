@@ -11,7 +11,6 @@ from motionlang.cli.output_files import written
 from motionlang.cli.run_command import Simulated
 from motionlang.cli.run_to_file import refuse_input
 from motionlang.commands.profile.budget import within_budget
-from motionlang.commands.profile.paths_view import paths_table
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
 from motionlang.commands.profile.view import profile_document, render_profile
@@ -58,7 +57,7 @@ examples:
         made = profile_document(TimeProfile(result))
         if not self.paths:
             return made
-        from motionlang.commands.profile.paths import paths
+        from motionlang.commands.profile.paths import paths, paths_table
 
         return Document([paths_table(paths(result.trace)), *made.tables], made.values)
 
@@ -67,7 +66,7 @@ examples:
             return ""
         shown = render_profile(TimeProfile(result), width=width, colour=colour, everything=self.all)
         if self.paths:
-            from motionlang.commands.profile.paths import paths
+            from motionlang.commands.profile.paths import paths, paths_table
 
             lines = paths_table(paths(result.trace)).lines(width, colour=colour, everything=self.all)
             shown = "\n".join([*lines, "", shown])

@@ -14,6 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel import Trace
+from motionlang.views.formatting import figure, line_number
+from motionlang.views.table import Column, Table
 
 Array = NDArray[np.float64]
 
@@ -23,6 +25,8 @@ SAMPLES = 1001
 _ENDS, _STILL = 1e-5, 1e-6
 # Seconds within which the next path counts as following directly.
 AT_ONCE = 1e-3
+# Smaller angles, in degrees, are not corners.
+SMOOTH = 0.05
 
 
 class PathRow(NamedTuple):
@@ -155,3 +159,36 @@ def _tangent(trace: Trace, path: _Path, side: int) -> Array:
 
 def _angle(one: Array, other: Array) -> float:
     return degrees(acos(max(-1.0, min(1.0, float(one @ other)))))
+
+
+def paths_table(rows: Sequence[PathRow]) -> Table:
+    """Return the table of paths; speeds are those along the path."""
+    columns = (
+        Column("line", text=line_number),
+        Column("command", left=True, style="word"),
+        Column("axes", left=True, drop=2),
+        Column("start_time", "start", "s", text="{:.6f}".format, drop=1),
+        Column("duration", "time", "s", decimals=6),
+        Column("length", unit="uu", decimals=4),
+        Column("entry_speed", "entry", "uu/s", text=figure, drop=3),
+        Column("peak_speed", "peak", "uu/s", text=figure),
+        Column("exit_speed", "exit", "uu/s", text=figure),
+        Column("corner", unit="°", text="{:.1f}".format),
+        Column("end", "at its end", get=_at_its_end, left=True),
+    )
+    empty = "no path was run: no axes begin and end together on one line"
+    return Table("paths", columns, rows, most=60, empty=empty)
+
+
+def _at_its_end(row: PathRow) -> str:
+    """Return how a path continues into the next, or why it stops.
+
+    This is inferred from the motion alone.
+    """
+    if row.ended:
+        return f"ended by {row.ended}"
+    if row.exit_speed:
+        return "continues"
+    if row.corner is None:
+        return "stops: no next path"
+    return f"stops: corner of {row.corner:.1f}°" if row.corner > SMOOTH else "stops: the paths are not joined"

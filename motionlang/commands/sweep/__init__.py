@@ -19,7 +19,7 @@ from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
 from motionlang.kernel.lang import is_key_of_entries
 from motionlang.kernel.rows import RowTable, transposed
-from motionlang.processes.cores import cores
+from motionlang.processes.parallel import cores
 
 KEEP = ("time",)
 

@@ -29,7 +29,6 @@ from motionlang.commands.verify.further import (
     ran,
     rewrite_golden,
 )
-from motionlang.commands.verify.review import NoAnswer, ask
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel import (
     ProgramError,
@@ -51,6 +50,16 @@ NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
 rewrite all golden files with --update. Those of this program are unchanged.
 """
+# Explains the answers to the question of --review.
+ANSWERS = """\
+y  write the golden files
+n  leave the golden files as they are
+q  quit, and leave all others as they are, too
+"""
+
+
+class NoAnswer(Exception):
+    """Standard input has ended or is missing, so no golden file is written."""
 
 
 @dataclass
@@ -107,7 +116,7 @@ examples:
                 self._print(verdict)
                 if self.review and verdict.is_outdated and not quits:
                     try:
-                        answer = ask(f"{verdict.name}: write its golden files?")
+                        answer = _ask(f"{verdict.name}: write its golden files?")
                     except NoAnswer:
                         sys.stderr.write(NO_ANSWER)
                         return 2
@@ -140,6 +149,29 @@ examples:
             complain(verdict.diagnostics, verdict.source, verdict.path)
         if self.format == "text":
             sys.stdout.writelines(f"{line}\n" for line in verdict.lines)
+
+
+def _ask(question: str) -> str:
+    """Ask for "y", "n" or "q" on a terminal or a pipe; "?" explains them.
+
+    Raises `NoAnswer` if neither provides an answer.
+    """
+    while True:
+        sys.stdout.write(f"{question} [y,n,q,?] ")
+        sys.stdout.flush()
+        try:
+            line = sys.stdin.readline() if sys.stdin is not None else ""
+        except (OSError, ValueError):
+            line = ""
+        if not line:
+            sys.stdout.write("\n")
+            raise NoAnswer
+        if not sys.stdin.isatty():
+            sys.stdout.write(line if line.endswith("\n") else f"{line}\n")  # what a terminal would show
+        answer = line.strip().lower()[:1]
+        if answer and answer in "ynq":
+            return answer
+        sys.stdout.write(ANSWERS)
 
 
 def _rewritten(program: str, verdict: Verdict) -> Verdict:

@@ -11,7 +11,6 @@ from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.text import cycle_line, headline, world_lines
 from motionlang.views import documents
-from motionlang.views.html_table import html_table
 from motionlang.views.table import Table
 
 # Columns whose cells are text of the program, and those whose cells are lines.
@@ -65,7 +64,7 @@ def _table(table: Table) -> list[str]:
     if not table.rows:
         return [f"<p>{escape(table.empty)}</p>"]
     used = [each for each in table.columns if any(each.texts(table.rows))]
-    return [f'<div class="scroll">{html_table(replace(table, columns=used), _cell)}</div>']
+    return [f'<div class="scroll">{documents.html_table(replace(table, columns=used), _cell)}</div>']
 
 
 def _cell(head: str, text: str) -> str:

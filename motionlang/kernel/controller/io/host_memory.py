@@ -13,9 +13,9 @@ from math import inf
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
-from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
+from motionlang.kernel.tools import signed
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.state import ControllerState

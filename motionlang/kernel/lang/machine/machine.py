@@ -5,7 +5,7 @@ The machine file describes the world.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import inf
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,6 @@ from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMem
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.surroundings import Surroundings
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.machine.axes import missing_axes
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
 from motionlang.kernel.lang.machine.operator import Operator
 from motionlang.kernel.lang.machine.stop import stop_of
@@ -275,3 +274,28 @@ def _world(controller: Controller, settings: Mapping[str, object]) -> Surroundin
 def _is_plain(settings: Mapping[str, object]) -> bool:
     """True if the settings describe only the controller."""
     return all(key.startswith(("controller.", "mint.", ASSUMPTIONS)) for key in settings)
+
+
+def missing_axes(settings: Mapping[str, object], axes: int, first: int) -> list[Diagnostic]:
+    """Return a diagnostic for each key and entry whose axis does not exist.
+
+    The axes are numbered from `first`; there are `axes` of them.
+    """
+    hint = f"the axes are {first} to {first + axes - 1}; controller.axes sets their number"
+    return [
+        Diagnostic("machine-file", f"{where}: there is no axis {axis}", hint=hint)
+        for where, axis in dict.fromkeys(_named(settings))
+        if not first <= axis < first + axes
+    ]
+
+
+def _named(settings: Mapping[str, object]) -> Iterator[tuple[str, int]]:
+    """Yield the axes that the settings name, each with its key or table."""
+    for key, value in settings.items():
+        components = key.split(".")
+        if components[0] == "axis" and len(components) > 2:
+            yield f"axis.{components[1]}", int(components[1])
+        elif isinstance(value, list):
+            for entry in value:
+                if isinstance(entry, dict) and isinstance(entry.get("axis"), int):
+                    yield f"[[{key}]]", entry["axis"]

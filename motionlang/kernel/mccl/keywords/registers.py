@@ -8,12 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.lang.keyword import Actions
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.axis.axis import real
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords.row import Group, accumulator, pure
+from motionlang.kernel.tools import signed
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.command import Command

@@ -12,13 +12,13 @@ from collections.abc import Callable
 from math import ceil
 
 from motionlang.kernel.controller.clock import TimedCall
-from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
 from motionlang.kernel.mint.keywords.defaults import PATTERNS
 from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
 from motionlang.kernel.mint.runtime.binding import Operation, of, of_word
 from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.tools import signed
 
 LAST_CHANNEL = NUMBERS["in"][-1]
 # Seconds between two samples of an input [MN1270 p. 95]; a change at the moment of a sample is in that sample.

@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.io.host_memory import HostMemory
 from motionlang.kernel.errors import Rejected
@@ -16,6 +15,7 @@ from motionlang.kernel.mint.keywords.io_inputs import bits_of, checked
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.tools import signed
 
 Entry = Mapping[str, Any]
 

@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from motionlang.kernel.controller.io.bits import signed
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.mint.runtime.printing import show_float, show_integer, shows_float
+from motionlang.kernel.tools import signed
 
 INT_LOW, INT_HIGH = -(2**31), 2**31 - 1
 _DEGREE = math.pi / 180.0
