@@ -44,7 +44,7 @@ class ServedLine(ServedMemory):
                     self.greet(named(model) or VIRTUAL, len(console.machine.controller.axes))
                     say(opened)
                     if modbus is not None:
-                        _say_modbus(modbus.server)
+                        _say_modbus(modbus)
                         if source is not None:
                             remark_on_mapping(source, model, say)
                     until_signal(server)
@@ -56,11 +56,11 @@ class ServedLine(ServedMemory):
                 status = 1
             finally:
                 if modbus is not None:
-                    modbus.close()
+                    modbus.stop()
         if status == 0:
             served = count_of(server.served, "host")
             if modbus is not None:
-                served += f", {count_of(modbus.server.requests, 'Modbus request')}"
+                served += f", {count_of(modbus.requests, 'Modbus request')}"
             say(f"served {served}; machine time {console.now:.3f} s{dropped(queues)}\n")
         return status
 
@@ -81,7 +81,7 @@ class ServedLine(ServedMemory):
 
     def _open_modbus(
         self, lines: Server, console: MintConsole, pace: ServerPace, model: str
-    ) -> _Modbus | None:
+    ) -> ModbusServer | None:
         """Open the Modbus address, if one is given; raise OSError if that fails."""
         if self.modbus is None:
             return None
@@ -95,7 +95,7 @@ class ServedLine(ServedMemory):
         lines.in_turn.append(questions.answer_next)
         server = self.modbus_server(questions, model, warn)
         server.start()
-        return _Modbus(server, questions)
+        return server
 
     def _pace(self, console: MintConsole) -> ServerPace:
         if self.clock == "lockstep":
@@ -104,17 +104,6 @@ class ServedLine(ServedMemory):
             pace.work()  # the program begins before the first host connects
             return pace
         return RealTime(console, self.factor or 1.0)
-
-
-class _Modbus:
-    """A Modbus server whose requests are answered in the thread of the line server."""
-
-    def __init__(self, server: ModbusServer, questions: InTurn) -> None:
-        self.server, self._questions = server, questions
-
-    def close(self) -> None:
-        self._questions.close()
-        self.server.stop()
 
 
 def _say_modbus(server: ModbusServer) -> None:

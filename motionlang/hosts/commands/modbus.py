@@ -73,7 +73,6 @@ class ServedMemory(Served):
             )
         finally:
             signal.signal(signal.SIGTERM, before)
-            outside.close()
             server.stop()
         return _farewell(result, server, self.file, queues)
 

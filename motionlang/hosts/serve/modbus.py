@@ -107,7 +107,8 @@ class ModbusServer:
         self._ready.wait(PATIENCE)
 
     def stop(self) -> None:
-        """Close every connection and end the thread."""
+        """Answer no more requests, close every connection and end the thread."""
+        self._outside.close()
         if self._loop is not None and self._over is not None and self._thread is not None:
             self._loop.call_soon_threadsafe(self._over.set)
             self._thread.join(PATIENCE)

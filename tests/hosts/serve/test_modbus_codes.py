@@ -43,7 +43,6 @@ def served(
         outside.ask(partial(end, outside)).result(PATIENCE)
         thread.join(PATIENCE)
     finally:
-        outside.close()
         server.stop()
 
 
