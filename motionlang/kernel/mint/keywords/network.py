@@ -193,14 +193,12 @@ def network_row(
     actions: Actions,
     help: str,
     example: str,
-    low: float | None = None,
-    high: float | None = None,
     default: float = 0.0,
 ) -> Keyword:
     """Return the row of a bus keyword."""
     first = None if access == "C" else "" if unit == "text" else default
-    return Keyword(name, "", kind_of(access), access, index, unit, actions, help, example, default=first, low=low,
-                   high=high, group="remote")  # fmt: skip
+    return Keyword(name, "", kind_of(access), access, index, unit, actions, help, example, default=first,
+                   group="remote")  # fmt: skip
 
 
 def _bus(name: str, actions: Actions, help: str, default: float = 0.0) -> tuple[Keyword, Keyword]:
