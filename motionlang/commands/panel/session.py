@@ -24,6 +24,7 @@ from motionlang.exploration import TABLES, TEXTS, Change, Entry, FoundSwitches, 
 from motionlang.kernel import Program, ProgramError, Run, Source, dialect
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang import first_mistake
+from motionlang.kernel.tools import count_of
 
 # Reads the program and its machine file again; raises Refused or ProgramError.
 Load = Callable[[], tuple[Program, Mapping[str, object]]]
@@ -330,7 +331,7 @@ class PanelSession:
             with self._news:
                 self._read = self._noticed = stamps
             record, until = (play.record, play.moment) if keeps else (PlayRecord(), 0.0)
-            with_them = f", with {_actions(len(record))} up to {until:.2f} s" if keeps else ""
+            with_them = f", with {count_of(len(record), 'action')} up to {until:.2f} s" if keeps else ""
             notice, completed = f"started again{with_them}", self._completed(settings)
             self._replace(play, record, until, notice, program=program, settings=completed)
 
@@ -384,7 +385,7 @@ class PanelSession:
         time = min(floor(time * PER_SECOND + 1e-6) / PER_SECOND, play.moment)
         record = play.record.until(time)
         cut = len(play.record) - len(record)
-        cut_off = f": {cut} later action{'s' * (cut != 1)} cut off" if cut else ""
+        cut_off = f": {count_of(cut, 'later action')} cut off" if cut else ""
         self._replace(play, record, time, f"back at {time:g} s{cut_off}", goes_on=False)
 
     def _put_switch(self, play: Play) -> None:
@@ -438,10 +439,6 @@ def _entries(record: PlayRecord) -> list[tuple[float, str]]:
     words = [(time, change_in_words(change)) for time, change in record.changes[-MAX_RECORD:]]
     words += [(time, f"answer {text}") for time, text in record.answers[-MAX_RECORD:]]
     return sorted(words, key=itemgetter(0))[-MAX_RECORD:]
-
-
-def _actions(count: int) -> str:
-    return f"{count} action{'s' * (count != 1)}"
 
 
 def _number(request: Mapping[str, Any], key: str) -> float:

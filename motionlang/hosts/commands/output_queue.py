@@ -18,6 +18,8 @@ from contextlib import contextmanager
 from threading import Condition, Thread
 from typing import Any, TextIO, cast
 
+from motionlang.kernel.tools import count_of
+
 CAPACITY = 1 << 18
 # Seconds at the end for writing the queue.
 FAREWELL = 0.5
@@ -83,7 +85,8 @@ class OutputQueue:
 
         Returns the text to write to this stream, "" if `notes` has taken it.
         """
-        text = f"motionlang: {_lines(self._dropped)} of {self.name} dropped, because it was not read\n"
+        lines = count_of(self._dropped, "line")
+        text = f"motionlang: {lines} of {self.name} dropped, because it was not read\n"
         self._dropped = 0
         if self._notes is not None:
             self._notes.write(text)
@@ -99,10 +102,6 @@ class OutputQueue:
                 data = data[os.write(self._descriptor, data) :]
         except OSError:
             self._broken = True
-
-
-def _lines(count: int) -> str:
-    return "1 line" if count == 1 else f"{count} lines"
 
 
 @contextmanager
@@ -138,4 +137,6 @@ def _may_wait(stream: TextIO) -> bool:
 
 def dropped(queues: list[OutputQueue]) -> str:
     """Return the end of a sentence with the number of dropped lines, "" for none."""
-    return "".join(f"; {_lines(queue.dropped)} of {queue.name} dropped" for queue in queues if queue.dropped)
+    return "".join(
+        f"; {count_of(each.dropped, 'line')} of {each.name} dropped" for each in queues if each.dropped
+    )

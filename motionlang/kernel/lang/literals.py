@@ -27,7 +27,7 @@ from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.dialect import dialect
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.source import Source
-from motionlang.kernel.tools import nearest
+from motionlang.kernel.tools import count_of, nearest
 
 Values = Mapping[str, float | str]
 
@@ -202,8 +202,7 @@ def _chosen(found: Sequence[Literal], address: str, source: Source) -> list[Lite
     in_line = [each for each in found if each.line == line]
     here = [each for each in same if each.line == line]
     if here:
-        count = "1 literal" if len(here) == 1 else f"{len(here)} literals"
-        raise _wrong(f"line {line} has {count} of {base.upper()}", here)
+        raise _wrong(f"line {line} has {count_of(len(here), 'literal')} of {base.upper()}", here)
     if not in_line and re.search(r"\b\d", source.line(line)):
         raise _wrong(_in_line(in_line, line, source), same or found, address)
     raise _wrong(f"line {line} writes no literal to {base.upper()}", same or found, address)

@@ -8,6 +8,7 @@ from motionlang.kernel.mint.check.values import NOTHING, KnownValue
 from motionlang.kernel.mint.check.variables import array, location
 from motionlang.kernel.mint.resolve.symbols import RECORD, Symbol
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import count_of
 
 
 def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> KnownValue:
@@ -19,7 +20,7 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> KnownValue:
     args = node.args or []
     count = len(callee.parameters)
     if len(args) != count:
-        b.problem("values", f"{symbol.name} takes {count} value{'s' * (count != 1)}, {len(args)} given", node)
+        b.problem("values", f"{symbol.name} takes {count_of(count, 'value')}, {len(args)} given", node)
         return NOTHING
     for arg, parameter in zip(args, callee.parameters, strict=True):
         _argument(b, arg, parameter)
