@@ -33,8 +33,6 @@ from motionlang.views.terminal import table_width, wants_colour
 
 # The time limit of a suggested world, s.
 UNTIL = 300.0
-# The factor between the time limit of a suggested world and the time of the program's own, and its minimum, s.
-UNTIL_FACTOR, MIN_UNTIL = 2.0, 30.0
 
 
 @dataclass
