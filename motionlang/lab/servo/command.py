@@ -16,8 +16,7 @@ from motionlang.kernel.servo import simulate as simulate_loop
 from motionlang.lab.notes.tn1069_servo import BASES
 from motionlang.lab.notes.tn1069_servo import compare as compared
 from motionlang.lab.servo import view
-from motionlang.lab.servo.gains import spoken
-from motionlang.lab.servo.input import BANDWIDTH, POSITIVE, Gains, OneAxis, gains_of, pairs
+from motionlang.lab.servo.input import BANDWIDTH, POSITIVE, Gains, OneAxis, gains_of, pairs, spoken
 from motionlang.views.figure import Figure
 from motionlang.views.table import Column, Document, Table, records_table
 

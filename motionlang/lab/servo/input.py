@@ -27,17 +27,33 @@ from motionlang.kernel.servo import (
     mint_loop,
     section,
 )
-from motionlang.lab.servo.gains import gain_words, written
 
 # The changes of the commands' motor from [axis.N.plant]'s defaults, if no machine file describes one.
 EXAMPLE = {"load_inertia": 4e-5, "viscous": 2e-5}
 BANDWIDTH = 50.0
+# Quantities of MCCL without a command of their own: the integral's mode, and the rate, for which there are three.
+FURTHER = {"IO": "integral_mode", "RATE": "rate"}
 POSITIVE = real("a number greater than zero", 0.0, above=True)
 
 
 def gains_of(language: str) -> dict[str, str]:
     """Return the gain keywords of a language, and the loop quantity that each sets."""
-    return gain_words(language, dialect(language).table())
+    rows = dialect(language).table()
+    return {row.name: row.tunes for row in rows if row.tunes} | (FURTHER if language == "mccl" else {})
+
+
+def written(words: Mapping[str, str], values: Mapping[str, float]) -> dict[str, tuple[float, str]]:
+    """Convert values by keyword to the loop's gains; ValueError for an unknown gain."""
+    for word in values:
+        if word not in words:
+            raise ValueError(f"{word} is not a servo gain; these are {', '.join(words)}")
+    return {words[word]: (value, word) for word, value in values.items()}
+
+
+def spoken(words: Mapping[str, str], values: Mapping[str, float]) -> dict[str, float]:
+    """Convert values by quantity to values by keyword."""
+    by_quantity = {quantity: word for word, quantity in words.items()}
+    return {by_quantity[quantity]: value for quantity, value in values.items()}
 
 
 @dataclass

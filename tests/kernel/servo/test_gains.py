@@ -33,10 +33,10 @@ from motionlang.kernel.servo import (
 )
 from motionlang.kernel.servo.gains import LM628_RATE, MCCL, MINT
 from motionlang.kernel.servo.settings import problem
-from motionlang.lab.servo.gains import gain_words, spoken, written
+from motionlang.lab.servo.input import gains_of, spoken, written
 
 TABLES = {"mint": MINT, "mccl": MCCL}
-WORDS = {language: gain_words(language, dialect(language).table()) for language in TABLES}
+WORDS = {language: gains_of(language) for language in TABLES}
 
 
 def mint_loop(values: dict[str, float]) -> Loop:
