@@ -7,7 +7,6 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import plan_pvt
-from motionlang.kernel.planners.pvt.motion import pvt_segment
 from motionlang.lab.pvt.points import (
     Point,
     absolute,
@@ -34,11 +33,12 @@ def moves(draw: st.DrawFn) -> list[Point]:
 
 def test_the_cubic_of_the_note() -> None:
     p0, v0, pt, vt, t = 100.0, 2000.0, 400.0, -1000.0, 0.1
-    piece = pvt_segment(p0, v0, pt, vt, t).pieces[0]
+    profile = plan_pvt((p0, pt), (v0, vt), (t,))
+    piece = profile.pieces[0]
     b2 = 3 * (pt - p0) / t**2 - (2 * v0 + vt) / t
     b3 = (vt + v0) / t**2 + 2 * (p0 - pt) / t**3
     assert piece[:4] == pytest.approx((p0, v0, b2, b3))
-    segment = segments(pvt_segment(p0, v0, pt, vt, t))[0]
+    segment = segments(profile)[0]
     assert segment.jerk == pytest.approx(6 * b3)
     assert segment.acceleration == pytest.approx(2 * b2)
     assert segment.end_acceleration == pytest.approx(2 * b2 + 6 * b3 * t)

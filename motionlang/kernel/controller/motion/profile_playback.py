@@ -21,7 +21,7 @@ from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
 from motionlang.kernel.planners.dwell import with_rest
-from motionlang.kernel.planners.pvt.motion import pvt_segment
+from motionlang.kernel.planners.pvt.motion import plan_pvt
 from motionlang.kernel.planners.reparametrised import Reparametrised
 from motionlang.kernel.planners.stop import running
 
@@ -145,7 +145,7 @@ class Playback(Action):
         self._count_from_here(a, path, along, a.suspend_time)
         end = path.knots[bisect_right(path.knots, along)]
         goal = path.at(end)
-        first = pvt_segment(state.position, state.velocity, goal.position, goal.velocity, a.suspend_time)
+        first = plan_pvt((state.position, goal.position), (state.velocity, goal.velocity), (a.suspend_time,))
         self._is_paced = False
         return relabelled(first, path.shape, "segment").then(path.after(end))
 

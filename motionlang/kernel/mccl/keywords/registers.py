@@ -45,7 +45,7 @@ def recall(task: CommandTask, command: Command) -> None:
 @accumulator("computes")
 @pure
 def complement(task: CommandTask, command: Command) -> None:
-    task.registers[0] = wrapped(~_bits(task.registers[0]))
+    task.registers[0] = wrapped(~int(task.registers[0]))
 
 
 def tell_register(task: CommandTask, command: Command) -> None:
@@ -95,7 +95,7 @@ def divide(task: CommandTask, command: Command) -> None:
 @accumulator("computes")
 @pure
 def shift_right(task: CommandTask, command: Command) -> None:
-    bits = _bits(task.registers[0])
+    bits = int(task.registers[0])
     if task.board.assumptions.get("mccl.shift-right") == "zeros":
         bits &= 0xFFFFFFFF
     task.registers[0] = wrapped(bits >> int(task.value(command)))
@@ -110,11 +110,6 @@ def _quotient(value: float | int, divisor: float | int) -> float | int:
         whole = abs(value) // abs(divisor)
         return whole if (value < 0) == (divisor < 0) else -whole
     return value / divisor
-
-
-def _bits(value: float | int) -> int:
-    """Return the 32 bits of a number; a real number is truncated first."""
-    return int(value)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -139,18 +134,18 @@ ROWS = (
     _row("AD", "command", "W", "none", "number", divide,
          "Divide the accumulator; whole numbers give a whole number.",
          "AL7,AD2,TR0"),
-    _row("AN", "command", "W", "none", "bits", Actions("bit_and", do=_with(lambda a, b: _bits(a) & _bits(b))),
+    _row("AN", "command", "W", "none", "bits", Actions("bit_and", do=_with(lambda a, b: int(a) & int(b))),
          "Bitwise and with the accumulator.", "AL12,AN10,TR0"),
-    _row("AO", "command", "W", "none", "bits", Actions("bit_or", do=_with(lambda a, b: _bits(a) | _bits(b))),
+    _row("AO", "command", "W", "none", "bits", Actions("bit_or", do=_with(lambda a, b: int(a) | int(b))),
          "Bitwise or with the accumulator.", "AL12,AO10,TR0"),
-    _row("AX", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: _bits(a) ^ _bits(b))),
+    _row("AX", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: int(a) ^ int(b))),
          "Bitwise exclusive or with the accumulator.",
          "AL12,AX10,TR0"),
-    _row("AE", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: _bits(a) ^ _bits(b))),
+    _row("AE", "command", "W", "none", "bits", Actions("bit_xor", do=_with(lambda a, b: int(a) ^ int(b))),
          "Same as AX; it is not known which of the two names is right.", "AL12,AE10,TR0"),
     _row("AC", "command", "C", "none", "bits", Actions("bit_not", do=complement),
          "Complement the accumulator.", "AL5,AC,TR0"),
-    _row("SL", "command", "W", "none", "number", Actions("shift_left", do=_with(lambda a, b: _bits(a) << int(b))),
+    _row("SL", "command", "W", "none", "number", Actions("shift_left", do=_with(lambda a, b: int(a) << int(b))),
          "Shift the accumulator left by n bits.", "AL1,SL4,TR0",
          low=0, high=31),
     _row("SR", "command", "W", "none", "number", shift_right,

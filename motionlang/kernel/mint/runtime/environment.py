@@ -16,9 +16,8 @@ from motionlang.kernel.lang.loops import Loops
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.statement_time import UNITS, units
 from motionlang.kernel.lang.steps import Steps
-from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.runtime.functions import Random
-from motionlang.kernel.mint.runtime.task import MintTask, until_free
+from motionlang.kernel.mint.runtime.task import MintTask
 from motionlang.kernel.mint.runtime.waits import Waits
 
 if TYPE_CHECKING:
@@ -293,20 +292,12 @@ class Environment(Waits):
             value += a.scale.position_to_user(end(a)) // a.scale.wrap * a.scale.wrap
         return a.scale.position_to_counts(value)
 
-    def restore_variable(self, name: str, variable: list[object]) -> None:
-        """`Dim nv`: set a variable to the value it had in the previous run."""
-        self.machine.nonvolatile.restore(name, variable)
-
     # ----------------------------------------------------------------------------------------- semaphores
 
     def take_semaphore(self, semaphore: list[MintTask | None], wanted: int) -> bool:
         """Take or release a semaphore; return False while another task holds it."""
         self.acts += 1
         return self.task.take(semaphore, wanted)
-
-    def wait_for_semaphore(self, semaphore: list[MintTask | None]) -> Wait:
-        """Return the wait until no task holds a semaphore."""
-        return until_free(self.clock.now, semaphore)
 
     # ---------------------------------------------------------------------------------------------- axes
 

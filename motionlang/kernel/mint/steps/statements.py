@@ -123,7 +123,7 @@ def _restore(w: UnitWriter, symbol: Symbol) -> None:
     name = symbol.name.lower()
     if w.function.kind != "main":
         name = f"{w.function.name.lower()}.{name}"
-    content, restore = expressions.whole(w, symbol), w.program.environment.restore_variable
+    content, restore = expressions.whole(w, symbol), w.program.environment.machine.nonvolatile.restore
     w.add(DO, lambda values: restore(name, content(values)))
 
 

@@ -10,6 +10,7 @@ from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT,
 from motionlang.kernel.lang.waits import Delay, Wait, next_tick
 from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Type
 from motionlang.kernel.mint.runtime.input_values import take, wait_for_answer
+from motionlang.kernel.mint.runtime.task import until_free
 from motionlang.kernel.mint.steps import expressions, terminal
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.steps.values import Get, Value
@@ -120,7 +121,7 @@ def take_or_give(w: UnitWriter, semaphore: Get, wanted: Get) -> None:
         held = semaphore(values)
         if environment.take_semaphore(held, wanted(values)):
             return None
-        return environment.wait_for_semaphore(held)
+        return until_free(environment.clock.now, held)
 
     w.add(NOW)
     w.add(TRY, taken)

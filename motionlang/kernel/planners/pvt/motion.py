@@ -11,11 +11,6 @@ from motionlang.kernel.planners.pieces import velocity_in
 from motionlang.kernel.planners.ramps import Piece
 
 
-def pvt_segment(p0: float, v0: float, p1: float, v1: float, time: float) -> Profile:
-    """Return one cubic from position p0 at velocity v0 to p1 at v1 in `time` seconds."""
-    return plan_pvt((p0, p1), (v0, v1), (time,))
-
-
 def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times: Sequence[float]) -> Profile:
     """Return a profile through `points`.
 
