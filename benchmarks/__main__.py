@@ -36,7 +36,7 @@ def started(style: Style) -> Scheduler:
     assert language is not None
     machine = Machine(style.machine, first_axis=language.first_axis)
     program = language.program(Source(style.file, style.text), style.machine)
-    machine.scheduler = Scheduler(machine, program.start(machine))
+    machine.scheduler = Scheduler(machine.controller, program.start(machine))
     return machine.scheduler
 
 

@@ -10,6 +10,7 @@ from motionlang.kernel.controller.readers import NO_SUBSCRIBER
 from motionlang.kernel.controller.settings import SETTINGS
 from motionlang.kernel.controller.state import Listeners
 from motionlang.kernel.controller.triggers.limit import Limit
+from motionlang.kernel.log import Log
 from tests.operations import OPERATIONS
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ class Recorder:
     """
 
     def __init__(self, axes: int = 8, first: int = 0, answers: dict[str, Any] | None = None) -> None:
-        self.clock = Clock()
+        self.clock, self.log = Clock(), Log()
         self.axes = {number: Axis(number, self) for number in range(first, first + axes)}  # type: ignore[arg-type]
         self.listeners = Listeners()
         self.calls: list[tuple[Any, ...]] = []

@@ -198,7 +198,7 @@ def _operations(source: Source) -> list[tuple[Any, ...]]:
     machine, recorder = Machine(), Recorder()
     machine.controller, machine.clock = recorder, recorder.clock  # type: ignore[assignment]
     task = DIALECT.program(source).start(machine)
-    Scheduler(machine, task).run_program()
+    Scheduler(machine.controller, task).run_program()
     return [call for call in recorder.calls if str(call[0]).startswith("load") or call[0] == "go"]
 
 

@@ -320,19 +320,20 @@ def _execute(
     outside: Outside | None,
 ) -> None:
     """Run to the end or to an error; earlier results remain in `result`."""
-    settings, scheduler = result.machine.settings, result.machine.scheduler
+    machine = result.machine
+    settings, scheduler = machine.settings, machine.scheduler
     try:
         if scheduler is None:
             if outside is not None:
-                outside.start(result.machine)
-            parent = compiled.start(result.machine)
-            scheduler = result.machine.scheduler = Scheduler(result.machine, parent, pace, outside)
-        if result.machine.stop is not None:
-            result.machine.stop.end = scheduler.stop
+                outside.start(machine)
+            parent = compiled.start(machine)
+            scheduler = machine.scheduler = Scheduler(machine.controller, parent, pace, outside, machine.hook)
+        if machine.stop is not None:
+            machine.stop.end = scheduler.stop
         scheduler.gives_up = until is None  # a caller that wants so much time gets it
-        scheduler.is_limited = "run.until" in settings or result.machine.stop is not None
+        scheduler.is_limited = "run.until" in settings or machine.stop is not None
         has_limit = until is not None or scheduler.is_limited
-        drives = pace is not None or outside is not None or result.machine.hook is not None
+        drives = pace is not None or outside is not None or machine.hook is not None
         if has_limit or drives:
             result.status = scheduler.run(end_of(settings) if until is None else until)
         else:
@@ -341,7 +342,7 @@ def _execute(
             report_futile_waits(result, scheduler)
         if scheduler.ended is not None and result.status in ("ended", "until"):
             report_never_started(result)
-        jogging = result.machine.moving()
+        jogging = machine.controller.moving()
         if jogging and result.status == "ended":
             names = ", ".join(map(str, jogging))
             result.notes.append(f"axis {names} was still jogging when the program ended")

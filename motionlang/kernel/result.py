@@ -210,7 +210,7 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
 
     These reports are not part of the run's figures.
     """
-    if result.machine.moving():
+    if result.machine.controller.moving():
         _report_endless_homing(result, scheduler)
         return
     is_over = scheduler.is_over()

@@ -52,7 +52,7 @@ class Runner:
         # One scheduler for the whole session: background tasks and event handlers continue during every
         # command.
         idle = _Passing(wait_until(machine, 0.0, 0.0))
-        self._scheduler = machine.scheduler = Scheduler(machine, idle, poll)
+        self._scheduler = machine.scheduler = Scheduler(machine.controller, idle, poll)
         self.interactive = dialect.interactive(machine)
 
     def execute(self, source: Source) -> bool:

@@ -112,7 +112,7 @@ class RestWatch(Hook):
         if machine.moves_made != self._moves:
             self._moves, self.news = machine.moves_made, now
         if now - self.news < SHORTEST_REST or any(
-            now < machine.idle_time(axis) < inf for axis in machine.moving()
+            now < machine.controller.idle_time(axis) < inf for axis in machine.controller.moving()
         ):
             return False
         return all(map(self._is_resting, _tasks(machine)))

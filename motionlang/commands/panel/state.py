@@ -146,7 +146,7 @@ def state_of(play: Play, made: Data) -> Data:
             [round(each.start_time, 3), each.axis, each.line] for each in machine.log.moves[-MAX_MOVES:]
         ],
         "moving": sorted(
-            {each.line for each in machine.log.moves[-MAX_MOVES:] if each.axis in machine.moving()}
+            {each.line for each in machine.log.moves[-MAX_MOVES:] if each.axis in machine.controller.moving()}
         ),
         "pending": play.pending,
     }

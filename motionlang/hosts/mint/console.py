@@ -62,7 +62,9 @@ class MintConsole(HostConsole[MintPort]):
         machine = Machine(settings, show=self._show, overrides=overrides)
         machine.terminal.repeats = True
         self._idle = _Idle()
-        super().__init__(machine, Scheduler(machine, self._idle, outside=_Hosts(machine)), self._idle)
+        super().__init__(
+            machine, Scheduler(machine.controller, self._idle, outside=_Hosts(machine)), self._idle
+        )
         self.texts = ControllerTexts()
         self.elements = Elements(lambda: self.machine.host, shows_float(self.machine))
         self._complain = complain

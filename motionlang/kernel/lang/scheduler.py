@@ -95,7 +95,7 @@ def _is_hopeless(task: Task) -> bool:
 
 
 class Scheduler:
-    """Runs tasks on a machine, or on a bare controller, until the parent ends.
+    """Runs tasks on a controller until the parent ends.
 
     The parent is the first task. `pace(now)` is called before time jumps, so that a run can be synchronised
     with real time. `outside` is a world that acts by itself, such as a host: it controls how far time
@@ -104,13 +104,14 @@ class Scheduler:
 
     def __init__(
         self,
-        machine: Controller | Machine,
+        controller: Controller,
         parent: Task,
         pace: Callable[[float], None] | None = None,
         outside: Outside | None = None,
+        hook: Hook | None = None,
     ) -> None:
-        self.machine = machine
-        self.clock = machine.clock
+        self._controller = controller
+        self.clock, self._log = controller.clock, controller.log
         # The parent is the first; it stays when it has ended.
         self.tasks: list[Task] = [parent]
         # Event handlers, the innermost last: while there is one, nothing else runs.
@@ -138,10 +139,9 @@ class Scheduler:
         # The index of the next task, and how often in a row time did not advance while all waited.
         self._next_index = 0
         self._stalls = 0
-        machine.log.locate_by(self.where, self.calls)
-        controller = machine.controller if isinstance(machine, Machine) else machine
+        controller.log.locate_by(self.where, self.calls)
         controller.run_by(self)
-        self._hook: Hook | None = getattr(machine, "hook", None)
+        self._hook = hook
 
     @property
     def parent(self) -> Task:
@@ -175,18 +175,18 @@ class Scheduler:
     def start(self, task: Task) -> None:
         """Start a further task now."""
         self._alone = False
-        self.machine.log.slices.started(task.name, self.clock.now)
+        self._log.slices.started(task.name, self.clock.now)
         self.tasks.append(task)
 
     def end(self, task: Task) -> None:
         """Stop a task at the request of the running one."""
         if task.wait is not None:
-            self.machine.log.waits.add(task.waited(task.wait, self.clock.now))
+            self._log.waits.add(task.waited(task.wait, self.clock.now))
         self._forget(task)
 
     def interrupt(self, task: Task) -> None:
         """Run a task to its end before any other continues."""
-        self.machine.log.note(self.clock.now, "handler", text=task.name)
+        self._log.note(self.clock.now, "handler", text=task.name)
         self.interrupts.append(task)
 
     def run(self, until: float = INFINITY) -> str:
@@ -320,7 +320,7 @@ class Scheduler:
         advance(time)
         while clock.now < time:
             advance(time)
-        slices = self.machine.log.slices
+        slices = self._log.slices
         if several:
             slices.took(task.name, self.began, clock.now, task.wait is not None or task.done)
         elif not self._alone and len(self.tasks) > 1:
@@ -356,7 +356,7 @@ class Scheduler:
 
     def waited(self, wait: tuple[object, ...]) -> None:
         """Write the record of a completed wait to the log."""
-        log = self.machine.log
+        log = self._log
         log.waits.add(wait)
         if log.slices.seconds:
             log.slices.close(self.clock.now)
@@ -375,13 +375,13 @@ class Scheduler:
     def settle(self, until: float = INFINITY) -> bool:
         """Let the motion in progress end; False if `until` comes first or an axis jogs."""
         while not self.stopped:
-            busy = self.machine.moving()
-            times = [self.machine.idle_time(axis) for axis in busy]
+            busy = self._controller.moving()
+            times = [self._controller.idle_time(axis) for axis in busy]
             if not busy:
-                settling = self.machine.settling()
+                settling = self._controller.settling()
                 if not settling:
                     return True
-                times = [self.machine.rest_time(axis) for axis in settling]
+                times = [self._controller.rest_time(axis) for axis in settling]
             finite = [time for time in times if time < INFINITY]
             if not finite or min(finite) > until:
                 if until < INFINITY:
@@ -439,7 +439,7 @@ class Scheduler:
             self.interrupts.remove(task)
         elif task in self.tasks:
             self.tasks.remove(task)
-            self.machine.log.slices.ended(task.name, self.clock.now)
+            self._log.slices.ended(task.name, self.clock.now)
 
     def _runnable(self) -> Task | None:
         """Return the next task that can run: highest priority, round robin."""

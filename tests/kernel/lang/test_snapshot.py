@@ -42,7 +42,9 @@ class Observed:
         self.hook = Hook(lambda task, time, offset: None, between=self._between)
         self.machine = Machine(settings, first_axis=language.first_axis, hook=self.hook)
         parent = language.program(source, dict(settings), is_debug=True).start(self.machine)
-        self.scheduler = self.machine.scheduler = Scheduler(self.machine, parent)
+        self.scheduler = self.machine.scheduler = Scheduler(
+            self.machine.controller, parent, hook=self.machine.hook
+        )
         self._left = at
         self.taken: list[tuple[int, Snapshot]] = []
         self._arm()

@@ -154,10 +154,6 @@ class Machine:
             self.warned.append(found)
             self.warn(found)
 
-    def moving(self) -> list[int]:
-        """The axes that are not idle."""
-        return self.controller.moving()
-
     def never_started(self) -> list[tuple[LoggedMove, Sequence[Axis]]]:
         """Return the buffered moves that no motion in progress will start, with the axes that each moves."""
         found: list[tuple[LoggedMove, Sequence[Axis]]] = []
@@ -178,18 +174,6 @@ class Machine:
     def has_motors(self) -> bool:
         """True if the machine file gives an axis a simulated motor."""
         return any(".plant." in key for key in self.settings)
-
-    def settling(self) -> list[int]:
-        """The idle axes whose simulated motors are not yet at rest."""
-        return self.controller.settling()
-
-    def rest_time(self, axis: int) -> float:
-        """Return when an idle axis's motor is at rest, or when to check it next."""
-        return self.controller.rest_time(axis)
-
-    def idle_time(self, axis: int) -> float:
-        """Return the time at which an axis will be idle if nothing else happens."""
-        return self.controller.idle_time(axis)
 
     @property
     def host(self) -> HostMemory:

@@ -21,7 +21,7 @@ class Prompt:
         task = self.session.task(Source("input", "\n" * self.lines + line))
         self.lines += 1
         before = len(self.machine.terminal.lines)
-        scheduler = Scheduler(self.machine, task)
+        scheduler = Scheduler(self.machine.controller, task)
         self.machine.scheduler = scheduler
         scheduler.tasks.extend(self.session.board.background.values())  # type: ignore[attr-defined]
         scheduler.run_program()

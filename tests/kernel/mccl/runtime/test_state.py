@@ -24,7 +24,7 @@ TR11
 def started() -> tuple[FileTask, Scheduler, Machine]:
     machine = Machine(first_axis=1)
     task = MacroFile(Source("a.mcl", PROGRAM)).start(machine)
-    machine.scheduler = Scheduler(machine, task)
+    machine.scheduler = Scheduler(machine.controller, task)
     return task, machine.scheduler, machine
 
 

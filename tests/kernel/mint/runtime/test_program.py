@@ -24,7 +24,7 @@ PRINT POS(0)
 
 def execute(text: str, machine: Machine) -> None:
     task = DIALECT.program(Source("a.mnt", text)).start(machine)
-    scheduler = machine.scheduler = Scheduler(machine, task)
+    scheduler = machine.scheduler = Scheduler(machine.controller, task)
     scheduler.run()
 
 
@@ -54,7 +54,7 @@ def test_a_program_can_be_started_again() -> None:
     program = DIALECT.program(Source("a.mnt", "n = n + 1\nPRINT n"))
     for _ in range(2):
         machine = Machine()
-        Scheduler(machine, program.start(machine)).run()
+        Scheduler(machine.controller, program.start(machine)).run()
         assert machine.terminal.lines == ["1.0000"]
 
 
@@ -75,7 +75,7 @@ def test_a_program_that_is_made_for_values_of_some_names_takes_fewer_and_more(
     program = DIALECT.program(source).for_values({"t": "b", "n": 3.0})
     machine = Machine()
     machine.overrides = overrides
-    Scheduler(machine, program.start(machine)).run()
+    Scheduler(machine.controller, program.start(machine)).run()
     assert machine.terminal.lines == [printed]
 
 
