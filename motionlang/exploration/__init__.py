@@ -144,7 +144,8 @@ class Exploration:
         self.trials = explorer.trials.count
         self.is_whole = not explorer.trials.is_over and interrupted is None
         names = names_in_comments(self.program.source, dialect(self.program.language))
-        self.cycles = cycles(explorer.nodes, explorer.working, alarms_in(names))
+        statements = len(self.program.structure.statements)
+        self.cycles = cycles(explorer.nodes, explorer.working, statements, alarms_in(names))
         self.world = self.world_of(self.cycles)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)

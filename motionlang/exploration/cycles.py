@@ -27,6 +27,10 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # that is cut off, and a cycle that is one run.
 MOVE, PART, OUTPUT = 3.0, 2.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
+# A transition that comes by itself and says what is right is what a change before has led to, such as a part on a belt.
+LATER = 2.0
+# A person names the cycle that carries out most of a program: so much for all of its statements.
+WHOLE = 3.0
 # Work of one line without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
 JOGGING = 5.0
 # A cycle that says something, and nothing of what is wrong, makes a piece; the more of it is wrong, the less it counts.
@@ -88,11 +92,13 @@ def alarms_in(names: Iterable[Named]) -> frozenset[int]:
 
 
 class _Known(NamedTuple):
-    """The lines that move an axis before any change, the states that a person leaves, and the outputs of alarms.
+    """The number of `statements` of a program, and the lines that move an axis `at_start`, before any change.
 
-    `stops` is True if the program says at power-up that the machine has stopped: it says so whenever it waits for work.
+    `left` are the states that a person leaves, `alarms` the outputs of alarms. `stops` is True if the program says at
+    power-up that the machine has stopped: it says so whenever it waits for work.
     """
 
+    statements: int
     at_start: frozenset[int]
     left: Left
     alarms: frozenset[int]
@@ -100,7 +106,10 @@ class _Known(NamedTuple):
 
 
 def cycles(
-    nodes: Mapping[RestState | None, StateNode], work: Iterable[Work], alarms: frozenset[int]
+    nodes: Mapping[RestState | None, StateNode],
+    work: Iterable[Work],
+    statements: int,
+    alarms: frozenset[int],
 ) -> list[MachineCycle]:
     """Return the cycles of an exploration, the likeliest first and those without motion last.
 
@@ -111,8 +120,8 @@ def cycles(
     left = {state for state, node in nodes.items() if any(map(_is_done, node.transitions))}
     begins = [_said(node.transitions) for node in nodes.values() if node.state is None]
     stops = any(map(_STOPPED.search, chain.from_iterable(begins)))
-    known = _Known(frozenset[int]().union(*moved), left, alarms, stops)
-    found = [*_loops(nodes, known), *_runs(nodes, known), *_without_rest(work, alarms)]
+    known = _Known(statements, frozenset[int]().union(*moved), left, alarms, stops)
+    found = [*_loops(nodes, known), *_runs(nodes, known), *_without_rest(work, known)]
     best: dict[object, MachineCycle] = {}
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
@@ -172,7 +181,7 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
                 yield MachineCycle((each,), each.visit, lines, work, each.outputs, value)
 
 
-def _without_rest(works: Iterable[Work], alarms: frozenset[int]) -> Iterator[MachineCycle]:
+def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle]:
     """Yield work without a rest; what does the same says less of what is wrong, and is faster than time-outs."""
 
     def faults(work: Work) -> tuple[bool, int]:
@@ -188,7 +197,7 @@ def _without_rest(works: Iterable[Work], alarms: frozenset[int]) -> Iterator[Mac
         value = MOVE * len(work.done) + PART * len(work.lines - work.done)
         value += OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
         value -= WRONG if wrong(work.said) else -SAID * bool(work.said)
-        value -= WRONG * bool(work.outputs & alarms)
+        value += WHOLE * len(work.begun) / known.statements - WRONG * bool(work.outputs & known.alarms)
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
         begin = max((time for time, _ in work.timeline), default=0.0)
         visit, lines = Visit(work.timeline, begin), tuple(sorted(work.lines))
@@ -228,6 +237,8 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
     outputs = _outputs(transitions)
     done = frozenset[int]().union(*(each.done for each in transitions))
     value = MOVE * len(work & done) + PART * len(work - done)
+    begun = frozenset[int]().union(*(each.begun for each in transitions))
+    value += WHOLE * len(begun) / known.statements
     value += OUTPUT * bool(outputs) - BEFORE * len(visit.timeline) - WRONG * bool(outputs & known.alarms)
     levels: dict[Channel, set[object]] = {}
     for each in transitions:
@@ -238,11 +249,10 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         answers = sum(one.table == "answer" for one in made)
         value -= CHANGE * (len(made) - answers) + ANSWER * answers
         value -= TOGETHER * max(len(each.causes) - answers - 1, 0) + KEPT * (len(each.causes) - len(made))
-        value -= (
-            BY_ITSELF * (each.is_by_itself and each.source in known.left)
-            + CUT * each.is_cut
-            + SECOND * each.seconds
-        )
+        if each.is_by_itself and each.source in known.left:
+            own = _said([each])
+            value -= BY_ITSELF if not own or wrong(own) else LATER
+        value -= CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = _said(transitions)
     faults = wrong(said) + (0 if known.stops else sum(map(bool, map(_STOPPED.search, said))))

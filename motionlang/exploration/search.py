@@ -296,7 +296,10 @@ class Explorer:
             lines = frozenset(work)
             done = lines & {each.line for each in trial.moves if each.end < inf and not each.ended}
             texts = frozenset(said.values())
-            found = Work(trial.timeline, cycle.period, lines, done, frozenset(outputs), texts)
+            begun = frozenset(
+                each.at for some in trial.statements.values() for each in some if each.time >= since
+            )
+            found = Work(trial.timeline, cycle.period, lines, done, frozenset(outputs), texts, begun)
             self.working.append(found)
 
     def _reached(self, rest: Rest, trial: Trial) -> tuple[StateNode, Visit]:

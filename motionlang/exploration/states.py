@@ -181,7 +181,7 @@ class StateNode:
 class Work(NamedTuple):
     """Work that a program repeats without a rest: its period, s, the lines that move an axis, outputs, what it says.
 
-    `done` are the lines whose moves end by themselves.
+    `done` are the lines whose moves end by themselves, `begun` the source offsets of the statements that begin.
     """
 
     timeline: Timeline
@@ -190,6 +190,7 @@ class Work(NamedTuple):
     done: frozenset[int]
     outputs: frozenset[int]
     said: frozenset[str]
+    begun: frozenset[int]
 
 
 class ChangeInMove(NamedTuple):
