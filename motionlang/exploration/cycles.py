@@ -27,7 +27,8 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # that is cut off, and a cycle that is one run.
 MOVE, PART, OUTPUT = 3.0, 2.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
-# A transition that comes by itself and says what is right is what a change before has led to, such as a part on a belt.
+# A transition that comes by itself, and says what is right or moves to a target, is what a change before has led to:
+# a part on a belt.
 LATER = 2.0
 # A person names the cycle that carries out most of a program: so much for all of its statements.
 WHOLE = 3.0
@@ -251,7 +252,7 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= TOGETHER * max(len(each.causes) - answers - 1, 0) + KEPT * (len(each.causes) - len(made))
         if each.is_by_itself and each.source in known.left:
             own = _said([each])
-            value -= BY_ITSELF if not own or wrong(own) else LATER
+            value -= BY_ITSELF if wrong(own) or not (own or each.done) else LATER
         value -= CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = _said(transitions)

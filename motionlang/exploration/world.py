@@ -108,7 +108,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         is_worse = best is not None and best[0][0] and wrong(cycle.said) > wrong(best[1].said)
         if best is None or (quality > best[0] and cycle.repeats and not is_worse):
             best = quality, cycle, trial
-        if quality >= wanted:
+        if quality >= wanted or (count >= wanted[2] and _faults(cycle, trial) * ENOUGH <= count):
             break
         if 0 < count < times and cycle.repeats and cycle.work and explained < EXPLAINED:
             # The changes of the next turn are other ones, but they may be the same answers.
@@ -166,8 +166,12 @@ def _count(cycle: MachineCycle, trial: Trial) -> int:
 def _quality(cycle: MachineCycle, trial: Trial) -> tuple[bool, bool, int]:
     """Return if a trial has come through a cycle, if it says nothing wrong unless the cycle does, and how often."""
     count = _count(cycle, trial)
-    said = (each.text for each in trial.prints if each.time >= cycle.visit.time)
-    return count > 0, bool(wrong(cycle.said)) or not wrong(said), count
+    return count > 0, bool(wrong(cycle.said)) or not _faults(cycle, trial), count
+
+
+def _faults(cycle: MachineCycle, trial: Trial) -> int:
+    """Return how often a trial says that something is wrong once a cycle has begun."""
+    return wrong(each.text for each in trial.prints if each.time >= cycle.visit.time)
 
 
 def _found_with(cycle: MachineCycle) -> Causes:
@@ -458,7 +462,7 @@ class _Orders:
     def of(
         self, moves: Iterable[TrialMotion], outputs: Iterable[Switched], prints: Iterable[Printed]
     ) -> dict[str, list[tuple[object, ...]]]:
-        """Return the moves, outputs and prints of each task in order."""
+        """Return the moves, outputs and prints of each task in order; prints with how often they say what is wrong."""
         acts: list[tuple[float, int, tuple[object, ...]]] = []
         acts += ((each.begin, each.line, ("move", each.axis, each.line)) for each in moves)
         acts += (
@@ -467,7 +471,7 @@ class _Orders:
             if each.at >= 0
         )
         acts += (
-            (each.time, self._line(each.at), ("print", without_figures(each.text)))
+            (each.time, self._line(each.at), ("print", without_figures(each.text), wrong([each.text])))
             for each in prints
             if each.at >= 0
         )
@@ -481,11 +485,12 @@ Acts = Mapping[str, list[tuple[object, ...]]]
 
 
 def _is_as_good(wanted: Acts, found: Acts) -> bool:
-    """True if each task does what is wanted in its order, or moves so and says less of what is wrong."""
+    """True if each task does what is wanted in its order, or moves so and says as much, but less of what is wrong."""
     if _same(wanted, found):
         return True
     moves = _of(wanted, "move")
-    is_better = wrong(_said(found)) < wrong(_said(wanted))
+    (right, faults), (others, fewer) = _said(wanted), _said(found)
+    is_better = fewer < faults and right <= others
     return is_better and any(moves.values()) and _same(moves, _of(found, "move"))
 
 
@@ -494,9 +499,10 @@ def _of(acts: Acts, kind: str) -> Acts:
     return {task: [each for each in own if each[0] == kind] for task, own in acts.items()}
 
 
-def _said(acts: Acts) -> list[str]:
-    """Return the printed lines of all tasks."""
-    return [str(each[1]) for own in _of(acts, "print").values() for each in own]
+def _said(acts: Acts) -> tuple[set[object], int]:
+    """Return the printed lines of all tasks that say nothing wrong, and how often the others do."""
+    prints = [each[1:] for own in _of(acts, "print").values() for each in own]
+    return {text for text, faults in prints if not faults}, sum(faults for _, faults in prints)  # type: ignore[misc]
 
 
 def _same(wanted: Acts, found: Acts) -> bool:
