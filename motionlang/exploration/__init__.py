@@ -63,7 +63,16 @@ from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRes
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
-from motionlang.exploration.trials import Act, Interrupted, Trial, asks, described, plain, without_figures
+from motionlang.exploration.trials import (
+    SHORTEST_MOVE,
+    Act,
+    Interrupted,
+    Trial,
+    asks,
+    described,
+    plain,
+    without_figures,
+)
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
 from motionlang.exploration.world import FoundWorld, explains, lead, played, world_of
@@ -71,6 +80,7 @@ from motionlang.kernel import Program, Run, Source, dialect, dialect_for, settin
 from motionlang.kernel.lang import names_in_comments
 
 __all__ = [
+    "SHORTEST_MOVE",
     "SHORTEST_REST",
     "TABLES",
     "TEXTS",

@@ -27,11 +27,11 @@ MAX_LENGTH, MAX_CYCLES = 8, 20_000
 # that is cut off, and a cycle that is one run.
 MOVE, PART, OUTPUT = 3.0, 2.0, 0.5
 CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 0.6, 0.1, 10.0, 20.0, 5.0, 0.5
-# A transition that comes by itself, and says what is right or moves to a target, is what a change before has led to:
-# a part on a belt.
+# A transition by itself that says what is right or moves to a target is what a change before has led to, such as a part
+# on a belt.
 LATER = 2.0
 # A person names the cycle that carries out most of a program: so much for all of its statements.
-WHOLE = 3.0
+WHOLE = 0.4
 # Work of one line without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
 JOGGING = 5.0
 # A cycle that says something, and nothing of what is wrong, makes a piece; the more of it is wrong, the less it counts.
@@ -40,7 +40,9 @@ SAID, WRONG = 2.0, 20.0
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
-_NAMED = "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stuck|lost|guard|emergency"
+_NAMED = (
+    "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stuck|lost|empty|guard|emergency"
+)
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
@@ -58,15 +60,16 @@ FASTER = 0.95
 class MachineCycle:
     """A repetition of a machine: its transitions, none for work without a rest.
 
-    `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing; `outputs`
-    are switched on. The likelier a person names it, the larger is its `value`; `fault` is what is wrong with it, "" if
-    nothing is.
+    `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing; `done` are
+    those of them with a move that ends by itself, and `outputs` are switched on. The likelier a person names it, the
+    larger is its `value`; `fault` is what is wrong with it, "" if nothing is.
     """
 
     transitions: tuple[Transition, ...]
     visit: Visit
     lines: tuple[int, ...]
     work: frozenset[int]
+    done: frozenset[int]
     outputs: frozenset[int]
     value: float
     fault: str = ""
@@ -166,7 +169,7 @@ def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
         value = _value(transitions, visit, work - known.at_start, known)
-        yield MachineCycle(transitions, visit, lines, work, _outputs(transitions), value)
+        yield MachineCycle(transitions, visit, lines, work, _done(transitions), _outputs(transitions), value)
 
 
 def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
@@ -179,7 +182,7 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
                 value = _value((each,), each.visit, work - known.at_start, known)
                 value -= CHANGE * changes + WHOLE_RUN
-                yield MachineCycle((each,), each.visit, lines, work, each.outputs, value)
+                yield MachineCycle((each,), each.visit, lines, work, each.done, each.outputs, value)
 
 
 def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle]:
@@ -202,7 +205,7 @@ def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
         begin = max((time for time, _ in work.timeline), default=0.0)
         visit, lines = Visit(work.timeline, begin), tuple(sorted(work.lines))
-        yield MachineCycle((), visit, lines, work.lines, work.outputs, value)
+        yield MachineCycle((), visit, lines, work.lines, work.done, work.outputs, value)
 
 
 def _fault(cycle: MachineCycle, alarms: frozenset[int]) -> str:
@@ -215,6 +218,10 @@ def _fault(cycle: MachineCycle, alarms: frozenset[int]) -> str:
 
 def _work(transitions: Iterable[Transition]) -> frozenset[int]:
     return frozenset[int]().union(*(each.work for each in transitions))
+
+
+def _done(transitions: Iterable[Transition]) -> frozenset[int]:
+    return frozenset[int]().union(*(each.done for each in transitions))
 
 
 def _outputs(transitions: Iterable[Transition]) -> frozenset[int]:
@@ -236,7 +243,7 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
     An input that has one level in all of the cycle is no change that anybody makes.
     """
     outputs = _outputs(transitions)
-    done = frozenset[int]().union(*(each.done for each in transitions))
+    done = _done(transitions)
     value = MOVE * len(work & done) + PART * len(work - done)
     begun = frozenset[int]().union(*(each.begun for each in transitions))
     value += WHOLE * len(begun) / known.statements

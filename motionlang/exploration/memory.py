@@ -76,22 +76,24 @@ class Memory:
         return sorted(n for bit, n in self._shared.items() if bit & found)
 
     def _given(self) -> int:
-        """Return the bits of the variables that take a level, a number, a key or an answer of the world, or a copy."""
-        found = 0
+        """Return the bits of the variables that take a level, a number, a key or an answer, or a copy of a level."""
+        found = measured = 0
         copies: list[tuple[int, int]] = []
         for p, use in enumerate(self._graph.uses):
             statement = self._structure.statements.get(self._graph.points[p].at)
             read = [] if statement is None else [each for each in statement.channels if each.access == READ]
             if use is not None and any(each.channel not in INPUTS for each in read):
                 found |= self._mask(p, use.sets)
+                if any(each.channel == "analogue input" for each in read):
+                    measured |= self._mask(p, use.sets)
             elif use is not None and use.sets and use.reads and min(use.reads) >= 0:
                 copies.append((self._mask(p, use.reads), self._mask(p, use.sets)))
         before = -1
-        while before != found:
-            before = found
+        while before != measured:
+            before = measured
             for reads, sets in copies:
-                found |= sets if not reads & ~found else 0
-        return found
+                measured |= sets if not reads & ~measured else 0
+        return found | measured
 
     def _counting(self) -> int:
         """Return the bits of the variables that are set to a sum with themselves, at once or through another one."""

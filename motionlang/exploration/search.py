@@ -285,7 +285,7 @@ class Explorer:
             self.axes[move.line].add(move.axis)
         # What all tasks do in every other cycle at least.
         often = 0.5 * cycle.count
-        moves = Counter(each.line for each in trial.moves if not each.is_homing)
+        moves = Counter(each.line for each in trial.moves if each.is_work)
         switched = Counter(each.channel for each in trial.outputs if each.value)
         work = {line for line, count in moves.items() if count >= often}
         outputs = {channel for channel, count in switched.items() if count >= often}
@@ -383,8 +383,10 @@ class Explorer:
                 target,
                 until - (since if causes else max(visit.time, 0.0)),
                 lines,
-                frozenset(each.line for each in part.moves if not each.is_homing),
-                frozenset(each.line for each in part.moves if each.end < inf and not each.ended),
+                frozenset(each.line for each in part.moves if each.is_work),
+                frozenset(
+                    each.line for each in part.moves if each.is_work and each.end < inf and not each.ended
+                ),
                 frozenset(each.channel for each in part.outputs if each.value),
                 self.acts(part),
                 fails or bool(handled),

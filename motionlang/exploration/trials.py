@@ -54,6 +54,10 @@ class Act(NamedTuple):
         return f"{self.subject} {self.words}".strip()
 
 
+# A move to where the axis is takes no longer, s.
+SHORTEST_MOVE = 0.01
+
+
 class TrialMotion(NamedTuple):
     """A move of a trial: when it began, s, its axis and its line, and how it was cut off, as in the log.
 
@@ -68,6 +72,11 @@ class TrialMotion(NamedTuple):
     words: str
     ended: str
     is_homing: bool
+
+    @property
+    def is_work(self) -> bool:
+        """True if it is no homing, and takes longer than a move to where the axis is."""
+        return not self.is_homing and self.end - self.begin > SHORTEST_MOVE
 
 
 class Trial(NamedTuple):

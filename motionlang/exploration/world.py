@@ -119,7 +119,8 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     if best is None:
         furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
         trial = explorer.play(furthest.timeline, 0.0)
-        best = (False, True, 0), MachineCycle((), furthest, (), frozenset(), frozenset(), 0.0), trial
+        none = frozenset[int]()
+        best = (False, True, 0), MachineCycle((), furthest, (), none, none, none, 0.0), trial
     (*_, count), cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
 

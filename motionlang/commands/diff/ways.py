@@ -34,7 +34,7 @@ from motionlang.commands.diff.acts import (
     played_way,
 )
 from motionlang.exploration import Exploration, MachineCycle, Timeline, Trial, Visit, explored
-from motionlang.kernel import Source
+from motionlang.kernel import Program, Source, dialect
 from motionlang.kernel.lang import Structure
 
 # The statements that both programs may begin in the ways.
@@ -94,7 +94,7 @@ class WaysCompared:
 
     `same`, `differ`, `later` and `only` count the ways: those in which B only does the same at another time, and those
     that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
-    `left` the ways that were not compared, and `is_whole` has the programs whose exploration is complete.
+    `changed` those of them that the other program does not have, and `left` the ways that were not compared.
     """
 
     a: Exploration
@@ -109,12 +109,13 @@ class WaysCompared:
     later: list[FoundLater] = field(default_factory=list)
     cycles: list[CycleTime] = field(default_factory=list)
     unreached: dict[str, list[int]] = field(default_factory=dict)
+    changed: dict[str, list[int]] = field(default_factory=dict)
     left: list[Way] = field(default_factory=list)
 
     @property
     def same(self) -> bool:
-        """True if nothing differs in all ways that were found, and all of them were played."""
-        return not (self.left or self.differences or self.later)
+        """True if nothing differs in all ways that were found, all were played, and they reach all that is changed."""
+        return not (self.left or self.differences or self.later or any(self.changed.values()))
 
 
 class Player:
@@ -214,6 +215,33 @@ def compared_ways(
         some.sort(key=lambda each: order[id(each.way)])
     found.later.sort(key=lambda each: order[id(each.way)])
     found.unreached = {"A": a.missed, "B": b.missed}
+    old, new = _texts(a.program, b.program)
+    before, after = set(old.values()), set(new.values())
+    if 2 * len(before & after) < len(before):
+        return found  # a port writes most lines anew
+    found.changed = {
+        "A": [line for line in a.missed if old[line] not in after],
+        "B": [line for line in b.missed if new[line] not in before],
+    }
+    return found
+
+
+def _texts(*programs: Program) -> list[dict[int, tuple[str, ...]]]:
+    """Return the words of two programs by line, without comments; names that only one has are renamed ones."""
+    tokens = [
+        [(kind, text.lower(), at) for kind, text, at in dialect(each.language).tokens(each.source.text)]
+        for each in programs
+    ]
+    old, new = (dict.fromkeys(text for kind, text, _ in some if kind == "word") for some in tokens)
+    own, other = ([each for each in some if each not in others] for some, others in ((new, old), (old, new)))
+    renamed = dict(zip(own, other, strict=False))
+    found: list[dict[int, tuple[str, ...]]] = []
+    for program, some, names in zip(programs, tokens, ({}, renamed), strict=True):
+        lines: defaultdict[int, tuple[str, ...]] = defaultdict(tuple)
+        for kind, text, at in some:
+            if kind not in ("comment", "separator"):
+                lines[program.source.location(at)[0]] += (names.get(text, text),)
+        found.append(lines)
     return found
 
 

@@ -71,8 +71,9 @@ def summary(found: WaysCompared) -> str:
 
 
 def not_compared(found: WaysCompared, explored: str = "AB") -> str:
-    """Return what was not compared since the budget of an exploration had ended; "" if nothing was left."""
-    parts = [count_of(len(found.left), "way")] if found.left else []
+    """Return what was not compared: changed lines that no way reaches, and what was left; "" if nothing was."""
+    parts = [f"the changed lines {ranges(lines)} of {side}" for side, lines in found.changed.items() if lines]
+    parts += [count_of(len(found.left), "way")] if found.left else []
     parts += [
         f"what the exploration of {side} had not found when its budget ended"
         for side, one in (("A", found.a), ("B", found.b))

@@ -8,7 +8,7 @@ from motionlang.commands.init import Draft
 from motionlang.commands.init.file import leading
 from motionlang.commands.map.channels import only_named
 from motionlang.commands.map.program_map import channels_of
-from motionlang.exploration import Change, Exploration, StateNode, is_probe
+from motionlang.exploration import SHORTEST_MOVE, Change, Exploration, StateNode, is_probe
 from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Structure, names_in_comments
 from motionlang.kernel.tools import count_of
@@ -29,7 +29,22 @@ def _move_lines(structure: Structure) -> set[int]:
 
 def motionless(structure: Structure, result: Run) -> bool:
     """True if no axis moved although the program commands motion."""
-    return bool(first_move(structure)) and not len(result.machine.log.moves)
+    moves = result.machine.log.moves
+    return bool(first_move(structure)) and all(
+        each.profile is not None and each.profile.duration < SHORTEST_MOVE for each in moves
+    )
+
+
+def fault(structure: Structure, draft: Draft) -> str:
+    """Return what is wrong with the cycle of a draft in words, "" if nothing is.
+
+    A cycle that only jogs is no piece if the program has moves that the exploration has not reached.
+    """
+    cycle = draft.world.cycle
+    only_jogs = bool(cycle.work) and not cycle.done and not cycle.said
+    if only_jogs and _move_lines(structure) & set(draft.exploration.missed):
+        return cycle.fault or "only jogs"
+    return cycle.fault
 
 
 def notes(structure: Structure, draft: Draft) -> list[str]:
@@ -52,9 +67,9 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     found += _unused(result)
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
-    if fault := draft.world.cycle.fault:
+    if what := fault(structure, draft):
         missed = f"; not reached: {_lines(exploration.missed)}" if exploration.missed else ""
-        found.append(f"no good piece was found: the best cycle {fault}{missed}")
+        found.append(f"no good piece was found: the best cycle {what}{missed}")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
         found += _stays(exploration)

@@ -219,6 +219,22 @@ PIECE = program(f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nENDL\n")
                 "input 3 (knife up): named in the comment of line 1, never used",
             ],
         ),
+        (
+            "old.prg",
+            f"REM IN 3 size 1  4 size 2  5 part\nPAUSE INX.5\nIF (IN.0 & 24) = 24 THEN {STROKE}",
+            0,
+            ["input 5 leads on from line 2"],
+        ),
+        (
+            "old.prg",
+            f"REM IN 0 jog  OUT 2 horn\nLOOP\nPAUSE INX.0\nOUTX.2 = 1\n{STROKE}OUTX.2 = 0\nPAUSE INX.0 = 0\nENDL\n",
+            1,
+            [
+                "input 0 leads on from lines 3, 7",
+                "cycle: 0.62007 s, 484 times (lines 4 to 6), cycle(5)",
+                "no good piece was found: the best cycle switches on output 2, an alarm by its name",
+            ],
+        ),
     ],
 )
 def test_the_last_lines(cell: Cell, name: str, text: str, status: int, notes: list[str]) -> None:
@@ -286,7 +302,7 @@ ENDL
 {STROKE * 2}PAUSE INX.1 = 0
 RETURN
 #B
-MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+MOVEA.0 = -5 : GO.0 : PAUSE IDLE.0
 PAUSE INX.2 = 0
 RETURN
 """)
