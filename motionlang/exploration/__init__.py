@@ -183,16 +183,18 @@ class Exploration:
     def cut_off(self) -> dict[Change, set[int]]:
         """Return the changes in the middle of a move that cut off moves, with the lines of these moves.
 
-        A line whose moves are cut off without such a change, too, such as a jog to a mark, is left out.
+        A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out.
         """
-        usual: set[int] = set()
+        usual, done = set[int](), set[int]()
         found: dict[Change, set[int]] = defaultdict(set)
         for each in (each for node in self.nodes for each in node.transitions):
             cut = {line for line, ended in each.does.moves if ended}
             changes = [one for one in each.causes if one.moment.line]
             usual |= set() if changes else cut
+            done |= set() if changes else each.done
             for one in changes:
                 found[one._replace(prompt="", moment=AT_REST)] |= cut
+        usual -= done
         return {one: cut - usual for one, cut in found.items() if cut - usual}
 
     def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:

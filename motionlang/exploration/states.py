@@ -164,12 +164,15 @@ class StateNode:
     def knows(self, causes: Causes, target: RestState | None, does: Effect) -> bool:
         """True if the same happens by these causes, by some of them, or by other values or moments of their channels.
 
-        Other values are noted, since what they do may differ later.
+        What cuts off a move that the other causes start is no more of the same than what cuts it off at once. Other
+        values are noted, since what they do may differ later.
         """
         kinds = {each.kind for each in causes}
+        at_rest = {each.kind for each in causes if not each.moment.line}
         for each in self.transitions:
             known = {one.kind for one in each.causes}
-            if each.target == target and each.does == does and known <= kinds:
+            is_some = known <= kinds and (at_rest <= known or kinds - at_rest <= known)
+            if each.target == target and each.does == does and is_some:
                 values = [one._replace(moment=AT_REST) for one in causes]
                 others = [one._replace(moment=AT_REST) for one in each.causes]
                 if known == kinds and others != values and not any(map(is_probe, causes)):
