@@ -263,6 +263,6 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = _said(transitions)
-    faults = wrong(said) + (0 if known.stops else sum(map(bool, map(_STOPPED.search, said))))
+    faults = wrong(said) + (0 if known.stops else len(list(filter(_STOPPED.search, said))))
     value -= WRONG * (1.0 + faults / len(said)) if faults else -SAID * bool(said)
     return value + STATE - SWITCHED * len(outputs)

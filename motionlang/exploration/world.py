@@ -463,7 +463,7 @@ class _Orders:
     def of(
         self, moves: Iterable[TrialMotion], outputs: Iterable[Switched], prints: Iterable[Printed]
     ) -> dict[str, list[tuple[object, ...]]]:
-        """Return the moves, outputs and prints of each task in order; prints with how often they say what is wrong."""
+        """Return the moves, outputs and prints of each task in order; prints with True if they say what is wrong."""
         acts: list[tuple[float, int, tuple[object, ...]]] = []
         acts += ((each.begin, each.line, ("move", each.axis, each.line)) for each in moves)
         acts += (
@@ -472,7 +472,7 @@ class _Orders:
             if each.at >= 0
         )
         acts += (
-            (each.time, self._line(each.at), ("print", without_figures(each.text), wrong([each.text])))
+            (each.time, self._line(each.at), ("print", without_figures(each.text), bool(wrong([each.text]))))
             for each in prints
             if each.at >= 0
         )
@@ -501,9 +501,10 @@ def _of(acts: Acts, kind: str) -> Acts:
 
 
 def _said(acts: Acts) -> tuple[set[object], int]:
-    """Return the printed lines of all tasks that say nothing wrong, and how often the others do."""
-    prints = [each[1:] for own in _of(acts, "print").values() for each in own]
-    return {text for text, faults in prints if not faults}, sum(faults for _, faults in prints)  # type: ignore[misc]
+    """Return the printed lines of all tasks that say nothing wrong, and how many others there are."""
+    prints = [each for own in _of(acts, "print").values() for each in own]
+    right = [text for _, text, is_wrong in prints if not is_wrong]
+    return set(right), len(prints) - len(right)
 
 
 def _same(wanted: Acts, found: Acts) -> bool:

@@ -22,6 +22,7 @@ from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 from math import ceil, inf
 from operator import itemgetter
+from pathlib import PurePath
 
 from motionlang.commands.diff.acts import (
     HANDLERS,
@@ -217,8 +218,8 @@ def compared_ways(
     found.unreached = {"A": a.missed, "B": b.missed}
     old, new = _texts(a.program, b.program)
     before, after = set(old.values()), set(new.values())
-    if 2 * len(before & after) < len(before):
-        return found  # a port writes most lines anew
+    if PurePath(a.program.source.name).suffix.lower() != PurePath(b.program.source.name).suffix.lower():
+        return found  # a port writes its lines anew
     found.changed = {
         "A": [line for line in a.missed if old[line] not in after],
         "B": [line for line in b.missed if new[line] not in before],
