@@ -149,7 +149,7 @@ def _with_more_on(
     if cycle.repeats and later:
         other = played(explorer, cycle, tuple(later))
         faults, before = (wrong(one.text for one in each.prints) for each in (other, trial))
-        if _count(cycle, other) >= count and faults <= before:
+        if _count(cycle, other) >= min(count, COMPARED) and faults <= before:
             return _count(cycle, other), cycle, other
     return count, cycle, trial
 

@@ -75,7 +75,7 @@ QUESTIONS = {
         "what does the machine wait for before it lowers on the belt?": [
             "waits in 25 called in 40, 32: WN4 [input 4 (belt free)]"
         ],
-        "which register counts the parts?": ["30 register 27, 36 0 (36) 27", "27 prints 'part 3'"],
+        "which register counts the parts?": ["30 register 27, 36 0 (36) 27", "27 prints 'part 6'"],
     },
     "palletiser.prg": {
         "what is input 2?": ["input 2 GRIPPER SHUT in 74"],
