@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections import deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import chain
 from typing import NamedTuple
 
@@ -131,7 +131,7 @@ def cycles(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
     ):
         best.setdefault(frozenset(each.states) if each.states else each.work, each)
-    return [replace(each, fault=_fault(each, alarms)) for each in best.values()]
+    return list(best.values())
 
 
 def _is_done(each: Transition) -> bool:
@@ -169,7 +169,9 @@ def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
         value = _value(transitions, visit, work - known.at_start, known)
-        yield MachineCycle(transitions, visit, lines, work, _done(transitions), _outputs(transitions), value)
+        outputs = _outputs(transitions)
+        fault = _fault(outputs, _said(transitions), known)
+        yield MachineCycle(transitions, visit, lines, work, _done(transitions), outputs, value, fault)
 
 
 def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
@@ -182,7 +184,8 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
                 value = _value((each,), each.visit, work - known.at_start, known)
                 value -= CHANGE * changes + WHOLE_RUN
-                yield MachineCycle((each,), each.visit, lines, work, each.done, each.outputs, value)
+                fault = _fault(each.outputs, _said([each]), known)
+                yield MachineCycle((each,), each.visit, lines, work, each.done, each.outputs, value, fault)
 
 
 def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle]:
@@ -205,14 +208,15 @@ def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
         begin = max((time for time, _ in work.timeline), default=0.0)
         visit, lines = Visit(work.timeline, begin), tuple(sorted(work.lines))
-        yield MachineCycle((), visit, lines, work.lines, work.done, work.outputs, value)
+        fault = _fault(work.outputs, sorted(work.said), known)
+        yield MachineCycle((), visit, lines, work.lines, work.done, work.outputs, value, fault)
 
 
-def _fault(cycle: MachineCycle, alarms: frozenset[int]) -> str:
-    """Return what is wrong with a cycle in words, "" if nothing is."""
-    said, switched = cycle.said, sorted(cycle.outputs & alarms)
-    if said and all(wrong([each]) for each in said):
-        return f"prints {', '.join(dict.fromkeys(said))}"
+def _fault(outputs: frozenset[int], said: Iterable[str], known: _Known) -> str:
+    """Return what is wrong with a cycle in words, "" if nothing is; a line that is only a figure says nothing."""
+    texts, switched = [each for each in said if re.search("[A-Za-z]", each)], sorted(outputs & known.alarms)
+    if texts and all(wrong([each]) for each in texts):
+        return f"prints {', '.join(dict.fromkeys(texts))}"
     return f"switches on output {switched[0]}, an alarm by its name" if switched else ""
 
 
