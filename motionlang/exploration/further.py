@@ -1,4 +1,4 @@
-"""What a machine does only after many cycles: it fills a pallet, it ends a batch.
+"""The search behind what only many cycles bring, such as a full pallet or the end of a batch.
 
 Problem. A variable that counts is no part of a state, so nothing leads from the known states to what only the twelfth
 part brings.

@@ -13,8 +13,8 @@ steps: a decision needs what it reads; an assignment needs what it reads only if
     If good = 1 Then …
 
 Calls and returns are linked without their context, so a variable may be needed on a path that no call takes. A variable
-that counts, as `n = n + 1` does, or takes a number of the world, as `n = COMMS(2)` does, is left out: each value would
-be a new state.
+that counts, as `n = n + 1` does, or takes a number of the world, as `n = COMMS(2)` does, is left out, since each value
+would be a new state, and so is a copy of a level.
 
 Invariants. The numbers of variables are those of `Uses`, and so of the list of shared variables of any run of the
 program. Variables of a call are part of the analysis and of no result; of the registers that each task of MCCL has,
@@ -77,23 +77,33 @@ class Memory:
 
     def _given(self) -> int:
         """Return the bits of the variables that take a level, a number, a key or an answer, or a copy of a level."""
-        found = measured = 0
-        copies: list[tuple[int, int]] = []
+        found = 0
+        measured: set[int] = set()
+        # What is set from which shared variables alone.
+        copies: list[tuple[set[int], frozenset[int]]] = []
         for p, use in enumerate(self._graph.uses):
             statement = self._structure.statements.get(self._graph.points[p].at)
             read = [] if statement is None else [each for each in statement.channels if each.access == READ]
             if use is not None and any(each.channel not in INPUTS for each in read):
                 found |= self._mask(p, use.sets)
                 if any(each.channel == "analogue input" for each in read):
-                    measured |= self._mask(p, use.sets)
-            elif use is not None and use.sets and use.reads and min(use.reads) >= 0:
-                copies.append((self._mask(p, use.reads), self._mask(p, use.sets)))
-        before = -1
-        while before != measured:
-            before = measured
-            for reads, sets in copies:
-                measured |= sets if not reads & ~measured else 0
-        return found | measured
+                    measured |= use.sets
+            elif use is not None and use.reads and min((*use.reads, *use.sets)) >= 0:
+                copies.append((set(use.reads), use.sets))
+        readers: defaultdict[int, list[int]] = defaultdict(list)
+        for k, (reads, _) in enumerate(copies):
+            for n in reads:
+                readers[n].append(k)
+        waiting = deque(n for n in measured if n >= 0)
+        while waiting:
+            n = waiting.popleft()
+            for k in readers[n]:
+                reads, sets = copies[k]
+                reads.discard(n)
+                if not reads:
+                    waiting += sets - measured
+                    measured |= sets
+        return found | self._mask(0, [n for n in measured if n >= 0])
 
     def _counting(self) -> int:
         """Return the bits of the variables that are set to a sum with themselves, at once or through another one."""

@@ -16,7 +16,7 @@ changes: an input to its other level, a number to the values at which the compar
                        times, and as often as the comparisons ask for that differ by the same each time
 
 Cost. A number takes two trials with unusual values to be solved. Of one statement not more than `MAX_TOGETHER`
-channels are changed at once.
+channels are combined; if all its inputs at once lead on, each that is needed takes some more trials to be told apart.
 """
 
 from __future__ import annotations
@@ -168,13 +168,11 @@ def _fewest(
 def behind(
     explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, trial: Trial, rest: Rest | None
 ) -> Iterator[Causes]:
-    """Yield changes that lead on with one more channel that was read behind them, until the next rest."""
+    """Yield changes that lead on with one more channel that was read behind them, until the next rest, or with more."""
     read = _read_before(explorer, trial, rest, TriedWay(visit, causes, trial))
     yield from with_more(explorer, node, visit, causes, read)
     changed = {each.channel for each in causes}
-    inputs = [
-        each for each in read if each[0] == "input" and each not in changed and each not in explorer.given
-    ]
+    inputs = [each for each in read if each[0] == "input" and each not in changed]
     if len(inputs) > 1 and (needed := _fewest(explorer, visit, causes, inputs, explorer.is_news)):
         yield needed
 

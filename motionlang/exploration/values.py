@@ -8,8 +8,9 @@ linear in the value, so the value at which the sides are equal follows from the 
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import chain, pairwise
 from math import inf, isfinite
 from typing import TYPE_CHECKING
@@ -72,7 +73,8 @@ def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Chan
             slope = (n - m) / (b - a)
             if slope and isfinite(slope):
                 roots[a - m / slope] = None
-    found = dict.fromkeys(chain.from_iterable(_near(first, each, roots) for each in roots))
+    ordered = sorted(roots)
+    found = dict.fromkeys(chain.from_iterable(_near(first, each, ordered) for each in roots))
     changes = [change for value in found if (change := _change(first, value)) is not None]
     changes += [first._replace(value=text) for text in _words(first, one)]
     if found or first.table == "key":
@@ -206,11 +208,12 @@ def _number(change: Change) -> float:
     return float(ord(change.value)) if isinstance(change.value, str) else change.value
 
 
-def _near(change: Change, root: float, roots: Collection[float]) -> tuple[float, ...]:
+def _near(change: Change, root: float, roots: Sequence[float]) -> tuple[float, ...]:
     """Return a root, or the next usual value on each side of it; of a level not beyond the middle to the next root."""
     if change.table == "analogue":
-        up = min((each - root for each in roots if each > root), default=inf) / 2
-        down = min((root - each for each in roots if each < root), default=inf) / 2
+        k = bisect_left(roots, root)
+        below, above = (*roots[max(k - 1, 0) : k], -inf)[0], (*roots[k + 1 : k + 2], inf)[0]
+        up, down = (above - root) / 2, (root - below) / 2
         return tuple(
             round(root + each, 1 if abs(each) == STEP else 3) for each in (min(up, STEP), -min(down, STEP))
         )

@@ -216,15 +216,20 @@ def compared_ways(
         some.sort(key=lambda each: order[id(each.way)])
     found.later.sort(key=lambda each: order[id(each.way)])
     found.unreached = {"A": a.missed, "B": b.missed}
+    found.changed = _changed(a, b)
+    return found
+
+
+def _changed(a: Exploration, b: Exploration) -> dict[str, list[int]]:
+    """Return the lines of each program that no way has reached, and that the other one does not have."""
+    if PurePath(a.program.source.name).suffix.lower() != PurePath(b.program.source.name).suffix.lower():
+        return {}  # a port writes its lines anew
     old, new = _texts(a.program, b.program)
     before, after = set(old.values()), set(new.values())
-    if PurePath(a.program.source.name).suffix.lower() != PurePath(b.program.source.name).suffix.lower():
-        return found  # a port writes its lines anew
-    found.changed = {
-        "A": [line for line in a.missed if old[line] not in after],
-        "B": [line for line in b.missed if new[line] not in before],
+    return {
+        "A": [line for line in a.missed if line in old and old[line] not in after],
+        "B": [line for line in b.missed if line in new and new[line] not in before],
     }
-    return found
 
 
 def _texts(*programs: Program) -> list[dict[int, tuple[str, ...]]]:
@@ -238,11 +243,11 @@ def _texts(*programs: Program) -> list[dict[int, tuple[str, ...]]]:
     renamed = dict(zip(own, other, strict=False))
     found: list[dict[int, tuple[str, ...]]] = []
     for program, some, names in zip(programs, tokens, ({}, renamed), strict=True):
-        lines: defaultdict[int, tuple[str, ...]] = defaultdict(tuple)
+        lines: defaultdict[int, list[str]] = defaultdict(list)
         for kind, text, at in some:
             if kind not in ("comment", "separator"):
-                lines[program.source.location(at)[0]] += (names.get(text, text),)
-        found.append(lines)
+                lines[program.source.location(at)[0]].append(names.get(text, text))
+        found.append({line: tuple(words) for line, words in lines.items()})
     return found
 
 
