@@ -121,7 +121,7 @@ def _explore(name: str, text: str) -> None:
     program = language.program(Source(name, text), is_debug=True)
     made = program_map(program, language)
     shares: list[float] = []
-    found = explore(program, is_over=lambda: len(shares) >= TRIALS, progress=shares.append)
+    found = explore(program, used=lambda: float(len(shares) >= TRIALS), progress=shares.append)
     made.behaviour = behaviour_of(
         found, made.structure, ReaderNames(made.channels, made.axes), made.unreached
     )

@@ -25,7 +25,7 @@ from motionlang.cli.parser import Commands, Parser, both, either, sentence
 from motionlang.cli.removed import REMOVED
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import Diagnostic, Source
-from motionlang.kernel.files import unwritable
+from motionlang.kernel.files import is_plain, same_file, unwritable
 from motionlang.kernel.tools import nearest, need, shown
 
 # The optional library that writes a format.
@@ -38,8 +38,8 @@ def option(
     """Return a field that `--name VALUE` sets.
 
     `read` returns the value of a text, or raises ValueError with the reason. `more` may have `short`, a letter;
-    `choices`; `suffixes` of a file; `const`, the value of an option without one; and `many`, for an option that may be
-    repeated.
+    `choices`; `suffixes` of a file to write; `writes`, true for one of any extension; `const`, the value of an option
+    without one; and `many`, for an option that may be repeated.
     """
     made = {"metavar": metavar, "help": help, "read": read, **more}
     if more.get("many"):
@@ -105,6 +105,30 @@ class Command:
     def check(self) -> None:
         """Raise WrongOption if options do not fit together."""
 
+    def unnamed_files(self) -> list[str]:
+        """Return the files that the command reads or writes without an option that names them."""
+        return []
+
+    def _check_files(self) -> None:
+        """Raise WrongOption if a file to write is one that the command reads, or writes already."""
+        given = [(each, getattr(self, each.name)) for each in fields(self) if each.init]
+        targets = [(each, path) for each, path in given if path and _is_written(each)]
+        read = [path for each, value in given if not _is_written(each) for path in _paths(value)]
+        for each, path in targets:
+            if each.metadata.get("suffixes"):
+                _check_target(each, path)
+            if not is_plain(path):
+                continue
+            name = _name(each)
+            is_read = any(_is_in(path, other) for other in read)
+            if is_read or any(same_file(path, other) for other in self.unnamed_files()):
+                raise WrongOption(f"{name}: this command already uses {path}; write to another file")
+            twice = next(
+                (_name(other) for other, at in targets if other is not each and same_file(path, at)), ""
+            )
+            if twice:
+                raise WrongOption(f"{name} and {twice} both write {path}; write to two files")
+
     def start(self) -> int:
         """Run the command and return the exit status; report what it refuses."""
         try:
@@ -167,9 +191,7 @@ class Command:
         made.given, made.typed, made._parser = given.given, frozenset(names), parser
         try:
             made.check()
-            for each in fields(cls):
-                if each.metadata.get("suffixes"):
-                    _check_target(each, getattr(made, each.name))
+            made._check_files()
         except WrongOption as error:
             parser.error(str(error))
         return made
@@ -259,11 +281,28 @@ def _reader(read: Callable[[str], Any]) -> Callable[[str], Any]:
     return reader
 
 
-def _check_target(of: Field[Any], path: str | None) -> None:
+def _is_written(of: Field[Any]) -> bool:
+    return bool(of.metadata.get("suffixes") or of.metadata.get("writes"))
+
+
+def _paths(value: object) -> list[str]:
+    """Return the files and folders that exist among the texts of an option."""
+    texts = value if isinstance(value, list) else [value]
+    return [each for each in texts if isinstance(each, str) and os.path.exists(each)]
+
+
+def _is_in(path: str, used: str) -> bool:
+    """True if a path leads to a file that exists, and that is `used` or directly in it."""
+    return os.path.exists(path) and (same_file(path, used) or same_file(os.path.dirname(path) or ".", used))
+
+
+def _name(of: Field[Any]) -> str:
+    return of.metadata["metavar"] if of.metadata.get("place") else _names(of)[-1]
+
+
+def _check_target(of: Field[Any], path: str) -> None:
     """Raise WrongOption if a file cannot be written, and MissingExtra without the library that writes its format."""
-    if not path:
-        return
-    name = of.metadata["metavar"] if of.metadata.get("place") else _names(of)[-1]
+    name = _name(of)
     suffixes, suffix = of.metadata["suffixes"], os.path.splitext(path)[1].lower()
     if not path.lower().endswith(tuple(suffixes)):
         what = f"not {suffix} files" if suffix else "so the file needs one of these extensions"

@@ -15,6 +15,7 @@ from motionlang.cli.output_files import written
 from motionlang.cli.parser import either
 from motionlang.cli.readers import whole
 from motionlang.kernel import (
+    MACHINE_SUFFIX,
     STDIN,
     STDIN_NAME,
     CheckedSettings,
@@ -73,6 +74,9 @@ class Language(Command):
     def language(self) -> Dialect | None:
         """The language of the program, if it is known."""
         return language_of(self.lang, self.file)
+
+    def unnamed_files(self) -> list[str]:
+        return machine_next_to(self.file)
 
     def known_language(self) -> Dialect:
         """Return the language of the program; Refused if nothing names it."""
@@ -166,6 +170,7 @@ class OutputOptions(Command):
         "FILE",
         "write to FILE instead of standard output; .json, .csv, .html, .md and .svg choose the form",
         short="o",
+        writes=True,
     )
     _page: Page | None = field(default=None, init=False, repr=False)
 
@@ -234,6 +239,11 @@ class Jobs(Command):
         "N", "worker processes; default: one per core", short="j", default=0,
         read=whole("a number of processes from 1 to 1024", 1, 1024),
     )  # fmt: skip
+
+
+def machine_next_to(program: str | None) -> list[str]:
+    """Return the machine file that belongs next to a program, whether it exists or not; none if it has no folder."""
+    return [os.path.splitext(program)[0] + MACHINE_SUFFIX] if program and program != STDIN else []
 
 
 def read(file: str) -> Source:

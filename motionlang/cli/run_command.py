@@ -103,7 +103,7 @@ class Simulated(OutputOptions, Prepared):
         read=real("a number of seconds, 0 or more", 0.0, 1e9),
         default=CPU,
     )
-    nv: str | None = option("FILE", "keep nv variables, NVLONG and NVFLOAT in FILE between runs")
+    nv: str | None = option("FILE", "keep nv variables, NVLONG and NVFLOAT in FILE between runs", writes=True)
     allow: frozenset[str] = option(
         "KIND,…",
         "accept events: limit, soft-limit, following-error, fault or all",

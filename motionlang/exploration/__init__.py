@@ -64,6 +64,8 @@ from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import (
+    HORIZON,
+    SEARCH,
     SHORTEST_MOVE,
     Act,
     Interrupted,
@@ -75,11 +77,12 @@ from motionlang.exploration.trials import (
 )
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
-from motionlang.exploration.world import FoundWorld, explains, lead, played, world_of
+from motionlang.exploration.world import FoundWorld, explains, lead, nowhere, played, world_of
 from motionlang.kernel import Program, Run, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import names_in_comments
 
 __all__ = [
+    "HORIZON",
     "SHORTEST_MOVE",
     "SHORTEST_REST",
     "TABLES",
@@ -156,7 +159,7 @@ class Exploration:
         names = names_in_comments(self.program.source, dialect(self.program.language))
         statements = len(self.program.structure.statements)
         self.cycles = cycles(explorer.nodes, explorer.working, statements, alarms_in(names))
-        self.world = self.world_of(self.cycles)
+        self.world = self.world_of(self.cycles) if interrupted is None else self._unplayed(interrupted)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)
         # The statements of the tasks beside the work: those that blink, regulate or watch.
@@ -165,7 +168,9 @@ class Exploration:
         self.axes = explorer.axes
 
     def __str__(self) -> str:
-        return exploration_text(self.program, self.nodes, self.trials, self.cycles, self.world)
+        return exploration_text(
+            self.program, self.nodes, self.trials, self.cycles, None if self.interrupted else self.world
+        )
 
     @property
     def begun(self) -> frozenset[int]:
@@ -177,7 +182,11 @@ class Exploration:
         """The lines with a statement that no trial has carried out."""
         statements, begun = self.program.structure.statements, self.begun
         return sorted(
-            {each.line for at, each in statements.items() if not each.is_silent and at not in begun}
+            {
+                each.line
+                for at, each in statements.items()
+                if not (each.is_silent or each.select >= 0 or at in begun)
+            }
         )
 
     def cut_off(self) -> dict[Change, set[int]]:
@@ -215,18 +224,28 @@ class Exploration:
         """Add settings for all later plays."""
         self._explorer.trials.give(settings)
 
-    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedTimeline:
-        """Play the changes of a timeline from power-up, and record what the tasks do from a time on."""
-        trial = self._explorer.trials.play(timeline, since)
+    def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedTimeline:
+        """Play the changes of a timeline from power-up for `patience`, s; record what the tasks do from a time on."""
+        trial = self._explorer.trials.play(timeline, since, patience=patience)
         return PlayedTimeline(trial, self._explorer.trials.last, self._explorer.rests(trial))
 
     def turns(self, cycle: MachineCycle, times: int) -> Trial:
         """Play a cycle so many times, each change at the state that it leads on from."""
         return played(self._explorer, cycle, times=times)
 
+    @property
+    def last(self) -> Run:
+        """The run of the last play."""
+        return self._explorer.trials.last
+
     def world_of(self, likeliest: Sequence[MachineCycle]) -> FoundWorld:
         """Return the world of the first of some cycles that repeats when it is played."""
         return world_of(self._explorer, likeliest)
+
+    def _unplayed(self, run: Run) -> FoundWorld:
+        """Return the changes that led to the likeliest cycle as a world, since nothing is played after Ctrl-C."""
+        cycle = next(iter(self.cycles), None) or nowhere(self._explorer)
+        return FoundWorld(cycle, tables_of(cycle.visit.timeline), run, 0)
 
     def world_once(self, cycle: MachineCycle) -> FoundWorld:
         """Return the world in which a cycle runs once."""
@@ -238,7 +257,7 @@ class Exploration:
         Each value is played once, in the likeliest cycle that has its transition.
         """
         tried: set[tuple[RestState | None, tuple[Change, ...]]] = set()
-        for cycle in self.cycles:
+        for cycle in self.cycles if self.interrupted is None else ():
             for k, each in enumerate(cycle.transitions):
                 for causes in each.variants:
                     if (each.source, causes) not in tried:
@@ -273,20 +292,21 @@ def explore(
     machine: Mapping[str, object] | None = None,
     *,
     work: int = MAX_WORK,
-    is_over: Callable[[], bool] = lambda: False,
+    used: Callable[[], float] = lambda: 0.0,
     progress: Callable[[float], object] = lambda share: None,
     keeps: bool = False,
 ) -> Exploration:
     """Explore a program, a debug build, in a world with the settings that a person gave, by so much work.
 
-    It ends earlier where `is_over` returns True. `progress` is called with the share of the work. Raises Interrupted,
-    with the run, at Ctrl-C; with `keeps` the first one ends the search, and what was found is kept in `interrupted`.
+    `used` returns the share of the user's time that is over, by which it ends. `progress` is called with the share of
+    the work. Raises Interrupted, with the run, at Ctrl-C; with `keeps` the first one ends the search, and `interrupted`
+    has that run.
     """
-    explorer = Explorer(program, machine or {}, work, is_over, progress)
+    explorer = Explorer(program, machine or {}, work, used, progress)
     try:
         explorer.explore(FIRST * work)
         found, left = Exploration(explorer), FURTHER
-        while left and not is_over() and goes_further(explorer, found.world):
+        while left and used() < SEARCH and goes_further(explorer, found.world):
             explorer.explore(BEHIND * work)
             found, left = Exploration(explorer), left - 1
         if left and explorer.explore(left * BEHIND * work):

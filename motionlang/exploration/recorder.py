@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from math import inf
 from typing import Any, NamedTuple
 
@@ -16,6 +16,8 @@ from motionlang.kernel.lang import Snapshot
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
 # It ends earlier if it only prints again and again: so many lines in a time, s.
 MAX_PRINTED, FLOOD = 500, 0.5
+# So often the user's time is looked at, in statements.
+CHECKED = 500
 # Readings of a statement that are no further apart are one span, s.
 SAME_SPAN = 1.0
 # Where the name of a task would be, in a record of what handlers do.
@@ -64,10 +66,13 @@ class TrialRecorder(Hook):
         switches: Collection[Channel],
         since: float,
         snapshot_at: float = inf,
+        is_cut: Callable[[], bool] = lambda: False,
     ) -> None:
         super().__init__(lambda task, time, offset: None, between=self._between)
         self._remembered, self._written, self._switches = remembered, written, switches
         self._machine: Machine | None = None
+        # True once the user's time is up, which also ends a run.
+        self._is_cut = is_cut
         self._at = -1
         self.begin(since, snapshot_at)
 
@@ -168,6 +173,9 @@ class TrialRecorder(Hook):
             self._interrupted = self._at
         self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
         assert scheduler is not None
+        if not self.count % CHECKED and self._is_cut():
+            scheduler.until = time
+            return True
         if not self._is_recorded:
             is_new = offset not in self.seen or self._machine.moves_made != self._moves
             self.seen.add(offset)

@@ -45,7 +45,7 @@ class Explorer:
         program: Program,
         machine: Mapping[str, object],
         whole: int = MAX_WORK,
-        is_over: Callable[[], bool] = lambda: False,
+        used: Callable[[], float] = lambda: 0.0,
         progress: Callable[[float], object] = lambda share: None,
     ) -> None:
         kept = {key: value for key, value in machine.items() if not key.startswith("run.")}
@@ -54,7 +54,7 @@ class Explorer:
             kept.setdefault("controller.model", target.model)
         self.switches = FoundSwitches(kept)
         self.progress, self.whole = progress, whole
-        self.trials = Trials(program, kept, whole, is_over)
+        self.trials = Trials(program, kept, whole, used)
         self.program = program = self.trials.program
         self.nodes: dict[RestState | None, StateNode] = {}
         # What a person has given does not change.

@@ -33,6 +33,8 @@ GAP = 0.25
 LEAD = 0.002
 # The work of a run that begins, in statements.
 START = 400
+# The share of the user's time after which the search ends; the rest is for the world.
+SEARCH = 0.6
 # A trial is no longer than usual if it has made so many moves.
 MAX_MOVES = 300
 _ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
@@ -158,7 +160,8 @@ class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces.
 
     They are over when they have done so much work as `most`: the statements that they have begun, and `START` more for
-    each run. The work is the same on every machine.
+    each run. The work is the same on every machine. `used` is the share of the user's time that is over: a run that is
+    still going on when all of it is ends there.
     """
 
     def __init__(
@@ -166,10 +169,10 @@ class Trials:
         program: Program,
         base: Mapping[str, object],
         most: float,
-        is_over: Callable[[], bool] = lambda: False,
+        used: Callable[[], float] = lambda: 0.0,
     ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
-        self._is_over = is_over
+        self._used = used
         self.memory = Memory(self.program.structure)
         self._written, self._switches = written_at(self.program), switches_of(self.program)
         self.count = self.work = 0
@@ -183,7 +186,13 @@ class Trials:
     @property
     def is_over(self) -> bool:
         """True if the budget is used up, or the user has ended the exploration."""
-        return self.work >= self.most or self._is_over()
+        return self.work >= self.most or self._used() >= SEARCH
+
+    def _is_cut(self) -> bool:
+        return self._used() >= 1.0
+
+    def _recorder(self, since: float, snapshot_at: float = inf) -> TrialRecorder:
+        return TrialRecorder(self.memory.all, self._written, self._switches, since, snapshot_at, self._is_cut)
 
     def give(self, settings: Mapping[str, object]) -> None:
         """Add settings for all later trials."""
@@ -191,9 +200,13 @@ class Trials:
         self._start = None
 
     def play(
-        self, timeline: Timeline, since: float, is_settled: Callable[[Trial], bool] = lambda trial: False
+        self,
+        timeline: Timeline,
+        since: float,
+        is_settled: Callable[[Trial], bool] = lambda trial: False,
+        patience: float = HORIZON,
     ) -> Trial:
-        """Run the program with a timeline, until nothing is on its way to an end any more.
+        """Run the program with a timeline, for `patience`, s, and until no axis is on its way to an end any more.
 
         It ends earlier if `is_settled` is true of what it has done so far.
         """
@@ -204,13 +217,13 @@ class Trials:
         if since > 0.0:
             recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
-            recorder = TrialRecorder(self.memory.all, self._written, self._switches, since)
+            recorder = self._recorder(since)
             recorder.last_change = last
             self.last = self._run(tables_of(timeline), until, recorder)
         trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:
             is_enough = is_settled(trial) or (
-                horizon > HORIZON and (not trial.is_busy or len(trial.moves) > MAX_MOVES)
+                horizon > patience and (not trial.is_busy or len(trial.moves) > MAX_MOVES)
             )
             if trial.status != "until" or trial.time < until or is_enough:
                 break
@@ -246,7 +259,7 @@ class Trials:
             self._change(start, before)
             result = self._run_on(start.run.machine, at)
         else:
-            recorder = TrialRecorder(self.memory.all, self._written, self._switches, since, at)
+            recorder = self._recorder(since, at)
             result = self._run(tables_of(before), at, recorder)
         self._note_work(recorder)
         return Start(before, since, recorder, result)
@@ -275,7 +288,7 @@ class Trials:
     def play_in(self, tables: Mapping[str, object], until: float) -> Trial:
         """Run the program with some tables of the machine file up to a time, or as long as a trial may be."""
         self.count += 1
-        recorder = TrialRecorder(self.memory.all, self._written, self._switches, 0.0)
+        recorder = self._recorder(0.0)
         self.last = self._run(tables, until, recorder)
         self._note_work(recorder)
         return _trial((), 0.0, self.last, recorder, self.base)
@@ -286,7 +299,7 @@ class Trials:
         Without a time the run ends where that of a machine file does.
         """
         self.count += 1
-        recorder = TrialRecorder((), {}, (), inf)
+        recorder = TrialRecorder((), {}, (), inf, is_cut=self._is_cut)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
         return result, {each for each in recorder.seen if isinstance(each, int)}
@@ -356,7 +369,7 @@ def _is_stuck(result: Run) -> bool:
     waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
     if all(wait is not None and wait.cause == "axis" for wait in waits):
         return False
-    return asks(result) or any(each.code == "never" for each in result.diagnostics)
+    return asks(result) or result.has_run_out or any(each.code == "never" for each in result.diagnostics)
 
 
 def _moves(result: Run) -> Iterator[TrialMotion]:

@@ -23,9 +23,9 @@ def exploration_text(
     nodes: Sequence[StateNode],
     trials: int,
     cycles: Sequence[MachineCycle],
-    world: FoundWorld,
+    world: FoundWorld | None,
 ) -> str:
-    """Return the states of a program with their transitions, its likeliest cycles and a world."""
+    """Return the states of a program with their transitions, its likeliest cycles and a world, None if cut off."""
     structure = program.structure
     line = structure.line
     states = count_of(len(nodes) - 1, "state")
@@ -34,7 +34,7 @@ def exploration_text(
         lines += ["", _head(node, structure), *_rows(node, line)]
     if cycles:
         lines += ["", "cycles", *(f"  {_cycle(each, line)}" for each in cycles[:MAX_CYCLES])]
-        lines += ["", *_world(world)]
+        lines += ["", *(["cut off before its world was found"] if world is None else _world(world))]
     return "\n".join(lines) + "\n"
 
 

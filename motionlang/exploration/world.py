@@ -42,7 +42,7 @@ from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
-from motionlang.exploration.states import DELAY, Causes, delay
+from motionlang.exploration.states import DELAY, Causes, Visit, delay
 from motionlang.exploration.trials import Trial, TrialMotion, without_figures
 from motionlang.exploration.values import first_write
 from motionlang.kernel import Axis, Run
@@ -117,12 +117,18 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
             if _goes_on(found):
                 return found
     if best is None:
-        furthest = max(explorer.nodes.values(), key=lambda node: len(node.first.timeline)).first
-        trial = explorer.play(furthest.timeline, 0.0)
-        none = frozenset[int]()
-        best = (False, True, 0), MachineCycle((), furthest, (), none, none, none, 0.0), trial
+        furthest = nowhere(explorer)
+        best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
     (*_, count), cycle, trial = best
     return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
+
+
+def nowhere(explorer: Explorer) -> MachineCycle:
+    """Return what stands for a cycle where none was found: the way to the state that took most changes."""
+    visits = [node.first for node in explorer.nodes.values()]
+    furthest = max(visits, key=lambda visit: len(visit.timeline), default=Visit((), 0.0))
+    none = frozenset[int]()
+    return MachineCycle((), furthest, (), none, none, none, 0.0)
 
 
 def _goes_on(found: FoundWorld) -> bool:
@@ -348,15 +354,16 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
 
     handled = {each.at for each in trial.statements.get(HANDLERS, ())}
 
-    def holds(settings: Mapping[str, object]) -> bool:
+    def holds(settings: Mapping[str, object], *, nothing_more: bool = False) -> bool:
         result, begun = explorer.trials.run_in(settings, until)
         log = result.machine.log
         moves = (TrialMotion(each.start_time, inf, each.axis, each.line, "", "", False) for each in log.moves)
         if trial.status == "ended" and result.status != "ended":
             return False
-        return begun & explorer.handlers <= handled and _is_as_good(
-            wanted, orders.of(moves, log.outputs, log.prints)
-        )
+        found = orders.of(moves, log.outputs, log.prints)
+        if nothing_more and any(own and not wanted.get(task) for task, own in found.items()):
+            return False
+        return begun & explorer.handlers <= handled and _is_as_good(wanted, found)
 
     along = _along(explorer, trial)
     switched = _switched(trial)
@@ -385,7 +392,7 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
                 break
     for number in sorted(set(explorer.channels) - flips.keys() - explorer.triggers):
         on: list[Entry] = [{"channel": number, "at": 0.0}]
-        if holds(_settings({**chosen, number: on}, others)):
+        if holds(_settings({**chosen, number: on}, others), nothing_more=True):
             chosen[number] = on
     for given in _numbers(explorer, trial):
         tried = {**others, **{table: [*given[table], *entries(others, table)] for table in given}}

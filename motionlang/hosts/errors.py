@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.mccl import MEANINGS
+from motionlang.kernel.tools import PicklableError
 
 if TYPE_CHECKING:
     from motionlang.hosts.client.status import Status
 
 
-class ClientError(Exception):
+class ClientError(PicklableError):
     """Base class of the errors below."""
 
 

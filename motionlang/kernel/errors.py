@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from motionlang.kernel.tools import PicklableError
+
 # The codes of diagnostics and their meanings. The rules of the linter (`commands/check/rules/`) have the examples and
 # the fix of each of their codes, `commands/help/explanations.py` those of the others.
 CODES: dict[str, str] = {
@@ -176,7 +178,7 @@ class Diagnostic:
         }
 
 
-class ProgramError(Exception):
+class ProgramError(PicklableError):
     """An invalid or failed program, with all diagnostics in the order of the text."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
@@ -191,7 +193,7 @@ class ProgramError(Exception):
         return cls([Diagnostic(code, message, line, column, hint=hint)])
 
 
-class Rejected(Exception):
+class Rejected(PicklableError):
     """A command that the controller rejects; `code` is one of `CODES`.
 
     The language decides how to handle it: Mint raises a run-time error, MCCL gives a `?` code, and both

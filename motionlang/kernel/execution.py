@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from math import isclose
+from math import inf, isclose
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import ProgramError, Terminated
@@ -12,12 +12,13 @@ from motionlang.kernel.lang.debugging import Hook, Observer
 from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
 from motionlang.kernel.lang.foreign import one_sentence
 from motionlang.kernel.lang.machine.entries import Given, with_entries
-from motionlang.kernel.lang.machine.file import first_mistake, read_machine
+from motionlang.kernel.lang.machine.file import first_mistake, flat, read_machine
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
 from motionlang.kernel.result import (
     Run,
+    has_run_out,
     interrupted,
     open_nonvolatile,
     report_futile_waits,
@@ -227,8 +228,9 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
 
 
 def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
-    """Return a caller's settings, checked against the machine file's keys."""
+    """Return a caller's settings by dotted key, checked against the machine file's keys; tables may be nested."""
     if machine and not isinstance(machine, CheckedSettings):
+        machine = dict(flat(machine))
         mistake = first_mistake(machine)
         if mistake:
             raise ValueError(mistake)
@@ -334,10 +336,18 @@ def _execute(
         scheduler.is_limited = "run.until" in settings or machine.stop is not None
         has_limit = until is not None or scheduler.is_limited
         drives = pace is not None or outside is not None or machine.hook is not None
-        if has_limit or drives:
-            result.status = scheduler.run(end_of(settings) if until is None else until)
-        else:
-            result.status = _run_cycles(result, scheduler, compiled)
+        limit = end_of(settings) if until is None else until
+        try:
+            if has_limit or drives:
+                result.status = scheduler.run(limit)
+            else:
+                result.status = _run_cycles(result, scheduler, compiled)
+        except Stuck as stuck:
+            if not has_run_out(result, stuck):
+                raise
+            result.status, result.has_run_out = "until", True
+            if has_limit and limit < inf:
+                machine.clock.advance(limit)
         if result.status == "until":
             report_futile_waits(result, scheduler)
         if scheduler.ended is not None and result.status in ("ended", "until"):

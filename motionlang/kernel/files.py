@@ -52,7 +52,7 @@ class Replacement:
 
     def __enter__(self) -> IO[bytes]:
         try:
-            if _is_plain(self._path):
+            if is_plain(self._path):
                 self._target = os.path.realpath(self._path)
                 self._file, self._aside = _aside(self._target, self._mode)
             else:
@@ -183,7 +183,7 @@ def unwritable(path: str) -> str | None:
         return f"{path} is a folder"
     if not os.path.isdir(folder):
         return f"there is no folder {os.path.dirname(path) or folder}"
-    if not os.access(path if os.path.exists(path) and not _is_plain(path) else folder, os.W_OK):
+    if not os.access(path if os.path.exists(path) and not is_plain(path) else folder, os.W_OK):
         return f"{path} cannot be written: permission denied"
     return None
 
@@ -201,7 +201,8 @@ def reason(error: OSError) -> str:
     return (error.strerror or str(error)).lower()
 
 
-def _is_plain(path: str) -> bool:
+def is_plain(path: str) -> bool:
+    """True if a path is a regular file, or leads to none yet; False for a device or a pipe."""
     try:
         return stat.S_ISREG(os.stat(path).st_mode)
     except OSError:

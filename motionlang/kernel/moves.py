@@ -10,11 +10,12 @@ from motionlang.kernel.result import Run
 from motionlang.kernel.rows import RowTable, transposed
 from motionlang.kernel.tools import in_notebook
 
-# The columns of every table of moves; those of a simulated motor follow if there is one.
-COLUMNS = (
-    "axis", "command", "line", "profile", "start_time", "duration", "start", "end", "distance", "peak_speed",
-    "commanded_speed", "ended",
-)  # fmt: skip
+# The columns of every table of moves, with their types; those of a simulated motor follow if there is one.
+_TYPES: dict[str, type] = {
+    "axis": int, "command": str, "line": int, "profile": str, "start_time": float, "duration": float, "start": float,
+    "end": float, "distance": float, "peak_speed": float, "commanded_speed": float, "ended": str,
+}  # fmt: skip
+COLUMNS = tuple(_TYPES)
 
 
 class Move:
@@ -67,6 +68,7 @@ class Moves(RowTable, Sequence[Move]):
     """
 
     __slots__ = ("_rows", "_run")
+    types = _TYPES
 
     def __init__(self, rows: list[ReportMove], run: Run) -> None:
         self._rows, self._run = rows, run

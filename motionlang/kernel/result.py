@@ -22,6 +22,7 @@ from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
+from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of, in_notebook
@@ -52,6 +53,8 @@ class Run:
         # Remarks for the report; those on tasks that only wait at the time limit are in `idle`, too.
         self.notes: list[str] = []
         self.idle: list[str] = []
+        # True if the run ended since the machine file had nothing more for a wait that it had ended before.
+        self.has_run_out = False
         # The quantities that a caller has asked for, by name.
         self.quantities: dict[str, float | str | bool | None] = {}
         # An internal error, which ended the run.
@@ -213,6 +216,8 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
     if result.machine.controller.moving():
         _report_endless_homing(result, scheduler)
         return
+    if result.has_run_out:
+        result.idle.append("the machine file has nothing more for what the program waits for")
     is_over = scheduler.is_over()
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == inf:
@@ -371,6 +376,38 @@ def _what_starts(move: LoggedMove, axes: Sequence[Axis]) -> str:
         if each.move is not None:
             return f"it waits for the end of {each.move.command} on axis {each.index}"
     return "it waits for the move before it"
+
+
+def has_run_out(result: Run, stuck: Stuck) -> bool:
+    """True if entries of the machine file have ended before what the program waits for, and none is left."""
+    waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in _others(result, stuck.task))]
+    return _has_ended_before(result, stuck.task) and any(
+        _has_ended_before(result, task) and _was_fed(result, task, wait)
+        for task, wait in waits
+        if wait is not None
+    )
+
+
+def _has_ended_before(result: Run, task: Task) -> bool:
+    """True if a wait or a loop like the present one was over before; a loop without an end, if it did anything."""
+    log = result.machine.log
+    if task.wait is not None:
+        return any(each.at == task.at and each.task == task.name for each in log.waits)
+    ended = {each.at for each in log.loops if each.task == task.name}
+    if any(at in ended for at, _, _ in task.loops):
+        return True
+    return (
+        result.program is not None and result.program.structure.never_ends and bool(log.moves or log.prints)
+    )
+
+
+def _was_fed(result: Run, task: Task, wait: Wait) -> bool:
+    """True if entries of the machine file have changed what a task waits for."""
+    machine = result.machine
+    tables = result.dialect.driven_by(wait.why)
+    changed = {each.channel for each in machine.log.inputs}
+    named = set(wait.what) if wait.cause == "input" else changed
+    return ("input" in tables and bool(changed & named)) or any(map(machine.controller.stimuli.used, tables))
 
 
 def report_stuck(result: Run, stuck: Stuck) -> None:

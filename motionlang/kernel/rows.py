@@ -5,7 +5,8 @@ Both libraries are the user's: they are imported on use, and no extra installs t
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, ClassVar
 
 from motionlang.kernel.tools import need
 
@@ -14,6 +15,8 @@ class RowTable:
     """Base of classes whose rows can be converted to a table."""
 
     __slots__ = ()
+    # The types of columns that every table of the class has, also without rows.
+    types: ClassVar[Mapping[str, type]] = {}
 
     def columns(self) -> dict[str, list[Any]]:
         """Return the columns by name, of equal length; a missing value is None."""
@@ -24,14 +27,15 @@ class RowTable:
         need("to_polars", "polars")
         import polars
 
-        return polars.DataFrame(self.columns(), strict=False)
+        return polars.DataFrame(self.columns(), schema_overrides=self.types, strict=False)
 
     def to_pandas(self) -> Any:
         """Return a `pandas.DataFrame`; MissingExtra, an ImportError, if pandas is missing."""
         need("to_pandas", "pandas")
         import pandas
 
-        return pandas.DataFrame(self.columns())
+        numbers = {name: kind for name, kind in self.types.items() if kind is not str}
+        return pandas.DataFrame(self.columns()).astype(numbers)
 
 
 def transposed(rows: list[dict[str, Any]], names: tuple[str, ...] = ()) -> dict[str, list[Any]]:

@@ -176,7 +176,21 @@ def as_hint(description: str) -> str:
     return begin + description[1:].removesuffix(".")
 
 
-class MissingExtra(ImportError):
+class PicklableError(Exception):
+    """An error that other processes can send, whatever its constructor takes."""
+
+    def __reduce__(self) -> tuple[Callable[..., Exception], tuple[object, ...]]:
+        return _error_of, (type(self), self.args, self.__dict__)
+
+
+def _error_of(kind: type[Exception], args: tuple[object, ...], fields: dict[str, object]) -> Exception:
+    made = kind.__new__(kind, *args)
+    made.args = args
+    made.__dict__.update(fields)
+    return made
+
+
+class MissingExtra(PicklableError, ImportError):
     """`user`, a feature or an option, needs libraries that are missing, mostly those of an extra.
 
     `message` names them and `hint` is the command that installs them. It uses double quotes, which every shell accepts.

@@ -49,18 +49,23 @@ def test_the_prompt_takes_it(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> Non
     assert cell("repl", "pick.mnt").out.split() == ["250", "7"]
 
 
-def test_a_time_limit_hides_no_endless_wait(cell: Cell) -> None:
-    """With `run.until` and `--until`, as without, the run ends where nothing can happen any more."""
+@pytest.mark.parametrize("limit", ["", "run.until = 2.0\n"])
+def test_a_machine_file_that_has_run_out_is_no_fault(limit: str, cell: Cell) -> None:
     cell.write("orders.mnt", ORDERS)
-    cell.write("orders.machine.toml", PULSE)
+    cell.write("orders.machine.toml", f"{limit}{PULSE}")
     ran = cell("run", "orders.mnt", "--format", "none")
-    assert (ran.status, ran.out) == (1, "250\n")
+    assert (ran.status, ran.out) == (0, "250\n")
+    assert "note: the machine file has nothing more for what the program waits for\n" in ran.err
+    assert "note: line 2: ParentTask still waited until INX(3), since 0.350 s\n" in ran.err
+
+
+@pytest.mark.parametrize("limit", ["", "run.until = 2.0\n"])
+def test_a_time_limit_hides_no_wait_that_nothing_has_ended(limit: str, cell: Cell) -> None:
+    cell.write("orders.mnt", ORDERS)
+    cell.write("orders.machine.toml", f"{limit}{PULSE.replace('channel = 3', 'channel = 4')}")
+    ran = cell("run", "orders.mnt", "--format", "none")
+    assert (ran.status, ran.out) == (1, "")
     assert "error[never]: the program waits until INX(3), which can never happen" in ran.err
-    limited = cell("run", "orders.mnt", "--until", "2", "--format", "none")
-    assert (limited.status, limited.out, limited.err) == (ran.status, ran.out, ran.err)
-    cell.write("orders.machine.toml", f"run.until = 2.0\n{PULSE}")
-    limited = cell("run", "orders.mnt", "--format", "none")
-    assert (limited.status, limited.out, limited.err) == (ran.status, ran.out, ran.err)
 
 
 FAR = "[[input]]\nchannel = 1\naxis = 44\nabove = 1.0\n\n[axis.12]\nstart = 3\n"

@@ -40,6 +40,8 @@ MIN_WINDOW, MIN_WINDOWS = 3, 16
 REST_SHARE, NOISE, NOISE_SHARE = 2e-3, 8.0, 0.1
 # A signal whose first slope is below this share of the largest begins at rest; so does its end.
 EDGE_SHARE = 0.1
+# The speed at the end of a run is that of its last so many seconds.
+END = 1e-4
 # A reversal without rest of less than this share of the larger stroke is its overshoot, and a stroke of less than
 # another share of the largest one is none.
 OVERSHOOT_SHARE, STROKE_SHARE = 0.2, 1e-3
@@ -233,7 +235,8 @@ def match(trace: ComparedMotion, signal: Signal) -> Matched | None:
     window = _window(recorded)
     if window is None:
         return None
-    times = np.arange(int(trace.end / step) + 2) * step
+    # At rest the last samples are those of the end. In motion there are none, so the move that is cut is no stroke.
+    times = np.arange(int(trace.end / step) + (1 if _moves_at_end(trace, signal.axis, step) else 2)) * step
     positions = trace.at(signal.axis, "position", np.clip(times, 0.0, trace.end))
     # The same share of the slopes is noise, so that the same motion has the same strokes.
     noise = (
@@ -278,6 +281,14 @@ def match(trace: ComparedMotion, signal: Signal) -> Matched | None:
         if j not in paired[1] and stroke.begin > end - resolution
     ]
     return Matched(scale, pairs, missing, extra, later, resolution)
+
+
+def _moves_at_end(trace: ComparedMotion, axis: int, step: float) -> bool:
+    """True if the end of a motion cuts one of its strokes."""
+    times = np.arange(0.0, trace.end, step)
+    speeds = np.abs(np.diff(trace.at(axis, "position", times))) / step
+    last = trace.at(axis, "position", np.array([trace.end - END, trace.end]))
+    return len(speeds) > 0 and abs(float(last[1] - last[0])) / END > EDGE_SHARE * float(speeds.max())
 
 
 def _shift(pairs: Sequence[Pair], stroke: Stroke) -> float:

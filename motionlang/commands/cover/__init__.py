@@ -11,7 +11,7 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
-from motionlang.commands.cover.worlds import BEGINS, Event, Worlds, conditions
+from motionlang.commands.cover.worlds import BEGINS, CutOff, Event, Worlds, conditions
 from motionlang.commands.map.units import Reachability
 from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.kernel import Dialect, Source, dialect_for, settings_next_to
@@ -54,7 +54,8 @@ class Coverage:
     """The statements, conditions and parts that the runs of a program have reached.
 
     `worlds` are the scenarios that it ran in, "" for its own world. `unreached` are the first and last lines of
-    statements that nothing leads to; those do not count.
+    statements that nothing leads to; those do not count. `cut` are the worlds whose runs a signal has ended, so that
+    nothing counts as missed.
     """
 
     file: str
@@ -64,6 +65,7 @@ class Coverage:
     conditions: list[CoveredCondition]
     parts: list[CoveredPart]
     unreached: list[tuple[int, int]]
+    cut: Sequence[str] = ()
 
     @property
     def lines(self) -> dict[int, int]:
@@ -76,6 +78,8 @@ class Coverage:
     @property
     def missed(self) -> dict[int, str]:
         """The reason for each line that is not covered: a statement, or an outcome of a condition."""
+        if self.cut:
+            return {}
         found: dict[int, str] = {}
         lines = self.lines
         for each in self.statements:
@@ -168,9 +172,15 @@ def covered(
     events: Counter[Event] = Counter()
     own = language.program(source, worlds[""], is_debug=True)
     runs = Worlds(own, language)
-    for settings in worlds.values():
-        events += runs.run(settings, until).events
-    found = coverage(own.structure, own.offsets, events, list(worlds))
+    cut = []
+    for name, settings in worlds.items():
+        try:
+            events += runs.run(settings, until).events
+        except CutOff as at:
+            events += at.events
+            cut.append(name)
+            break
+    found = replace(coverage(own.structure, own.offsets, events, list(worlds)), cut=cut)
     return found if isinstance(program, Source) else replace(found, file=program)
 
 

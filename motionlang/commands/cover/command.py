@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import count
-from time import monotonic
 from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
@@ -21,8 +20,8 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
-from motionlang.commands.cover.worlds import Event, Worlds
-from motionlang.commands.explore.playing import playing
+from motionlang.commands.cover.worlds import CutOff, Event, Worlds
+from motionlang.commands.explore.playing import playing, time_used
 from motionlang.commands.scenario_text import write_scenario
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
@@ -68,7 +67,7 @@ examples:
         read=wall_time,
     )
     html: str | None = option("PAGE", "also write a page with the listings", suffixes=(".html",))
-    lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools")
+    lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools", writes=True)
 
     def check(self) -> None:
         if self.format is None and not self.html and (self.output or "").lower().endswith(".html"):
@@ -91,17 +90,28 @@ examples:
             return 1
         if self.suggest:
             return max(map(self._suggest, files))
-        found, failed = list[Coverage](), False
+        found, failed, is_cut = list[Coverage](), False, False
         work = partial(_covered, replace(self))  # a copy without its parser, for other processes
-        for file, made in zip(files, in_parallel(work, files, self.jobs), strict=True):
-            if isinstance(made, Coverage):
-                found.append(made)
-            else:
-                failed = True
-                complain(made, _named(made, file), file)
+        made = zip(files, in_parallel(work, files, self.jobs), strict=True)
+        try:
+            for file, result in made:
+                if isinstance(result, Coverage):
+                    found.append(result)
+                    is_cut |= bool(result.cut)
+                else:
+                    failed = True
+                    complain(result, _named(result, file), file)
+                if is_cut:
+                    break
+        except (KeyboardInterrupt, Terminated):
+            is_cut = True
         lines = self._lines(found)
         self.show(coverage_document(found), "\n".join(lines) + "\n" if found else "")
         status = self._write(found)
+        if is_cut:
+            left = [*(each.file for each in found if each.cut), *files[len(found) :]]
+            sys.stderr.write(f"note: cut off, so what it reaches is not known: {', '.join(left)}\n")
+            return SIGNALS.status
         share = percentage(found)
         if self.fail_under is not None and share < self.fail_under:
             sys.stderr.write(f"{share:.1f} % is covered, less than {self.fail_under:.10g} %\n")
@@ -115,7 +125,6 @@ examples:
             raise Refused([no_dialect(file)], file=file, status=2)
         source, limit = read(file), UNTIL if self.until is None else self.until
         ended = False
-        ends = None if self.seconds is None else monotonic() + self.seconds
         written: dict[str, str] = {}
         try:
             with playing(file) as progress:
@@ -130,7 +139,7 @@ examples:
                 exploration = explore(
                     program,
                     without_world(own),
-                    is_over=lambda: ends is not None and monotonic() > ends,
+                    used=time_used(self.seconds),
                     progress=progress,
                 )
                 search = Search(runs, exploration, own, before, limit)
@@ -138,8 +147,11 @@ examples:
                 try:
                     for world in search.run():
                         written |= self._write_scenario(file, world)
-                except (KeyboardInterrupt, Terminated):
+                except (CutOff, KeyboardInterrupt, Terminated):
                     ended = True
+        except CutOff as at:
+            SIGNALS.end_with(at.result)
+            raise
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=file) from None
         rows = [replace(each, file=file) for each in (was, search.coverage)]

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from motionlang.commands.cover import Coverage, coverage
-from motionlang.commands.cover.worlds import Event, Worlds
+from motionlang.commands.cover.worlds import CutOff, Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
@@ -162,6 +162,8 @@ class Search:
                 again = run(program.source, dialect=self.worlds.language, machine=layered(self.own, above))
             except ProgramError:
                 return None
+            if again.status == "interrupted":
+                raise CutOff(again, Counter())
             if not unmet(again, list(expected)):
                 return text
         return None

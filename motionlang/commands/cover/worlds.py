@@ -31,6 +31,14 @@ class PlayedWorld:
     is_cut: bool
 
 
+class CutOff(Exception):
+    """A signal has ended a run, whose events so far are known."""
+
+    def __init__(self, result: Run, events: Counter[Event]) -> None:
+        super().__init__("cut off")
+        self.result, self.events = result, events
+
+
 class Worlds:
     """Runs of one program, a debug build."""
 
@@ -45,7 +53,7 @@ class Worlds:
         return {key: value for key, value in settings.items() if self.language.compiled_in(key)}
 
     def run(self, settings: Mapping[str, object], until: float | None = None) -> PlayedWorld:
-        """Run the program in a world."""
+        """Run the program in a world; raise CutOff at a signal."""
         deciding = self._decisive(settings)
         if deciding != self._deciding:
             self._last = self.program.on(settings)
@@ -59,6 +67,8 @@ class Worlds:
             observer=counts,
             begun=counts.attach,
         )
+        if result.status == "interrupted":
+            raise CutOff(result, counts.events)
         return PlayedWorld(settings, result, counts.events, counts.count >= MAX_STATEMENTS)
 
 

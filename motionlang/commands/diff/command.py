@@ -19,6 +19,7 @@ from motionlang.cli.option_groups import (
     ProgramOptions,
     WorldOptions,
     given_settings,
+    machine_next_to,
     read,
     with_world,
 )
@@ -43,7 +44,7 @@ from motionlang.commands.scope import write_scope
 from motionlang.commands.sweep import Sweep
 from motionlang.commands.sweep.variants import Variants
 from motionlang.commands.sweep.worlds import SUFFIX
-from motionlang.kernel import Diagnostic, ProgramError, Run, read_machine, run
+from motionlang.kernel import STDIN, Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import layered
 from motionlang.kernel.report import build
@@ -159,6 +160,9 @@ examples:
         read=quantity_names,
         default=(),
     )
+
+    def unnamed_files(self) -> list[str]:
+        return [*machine_next_to(self.a), *machine_next_to(self.b)]
 
     def run(self) -> int:
         try:
@@ -297,7 +301,10 @@ examples:
         try:
             if given.variant is not None:
                 settings, overrides = _variant(path, given.variant, settings, overrides)
-            result = run(path, dialect=language.name, machine=settings, until=self.until, overrides=overrides)
+            program = given.source() if path == STDIN else path
+            result = run(
+                program, dialect=language.name, machine=settings, until=self.until, overrides=overrides
+            )
         except OSError as error:
             raise Refused([unreadable(str(error.filename or path), error)], file=path) from None
         except ProgramError as error:

@@ -20,7 +20,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
-from math import ceil, inf
+from math import ceil, inf, isclose
 from operator import itemgetter
 from pathlib import PurePath
 
@@ -34,14 +34,16 @@ from motionlang.commands.diff.acts import (
     compared,
     played_way,
 )
-from motionlang.exploration import Exploration, MachineCycle, Timeline, Trial, Visit, explored
-from motionlang.kernel import Program, Source, dialect
+from motionlang.exploration import HORIZON, Exploration, MachineCycle, Timeline, Trial, Visit, explored
+from motionlang.kernel import Program, Run, Source, dialect
 from motionlang.kernel.lang import Structure
 
 # The statements that both programs may begin in the ways.
 PLAYED = 2_000_000
 # A cycle is played so often at first, and at most, and so many cycles of each program are.
 TIMES, MAX_TIMES, CYCLES = 3, 40, 8
+# A way in which one program lacks an act is played for so long after its last change, s.
+PATIENCE = 108.0
 # No further cycle of a program is made a way after so many statements.
 CYCLE_WORK = 300_000
 
@@ -161,9 +163,9 @@ class Player:
                     visit = Visit(timeline, each.visit.change_time + each.seconds)
                     yield replace(cycle, visit=visit)
 
-    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedWay:
-        """Return what it does in a way; the rests are those from a time on."""
-        played = self.exploration.play(timeline, since)
+    def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedWay:
+        """Return what it does in a way, followed for `patience`, s; the rests are those from a time on."""
+        played = self.exploration.play(timeline, since, patience)
         return played_way(played, self.exploration.line, self._owner)
 
     def _owner(self, line: int) -> str:
@@ -293,10 +295,20 @@ def all_ways(a: Player, b: Player) -> list[Way]:
 def until_full(one: Exploration, cycle: MachineCycle) -> Timeline:
     """Return the timeline of a cycle that is played some times, and until what the program counts to is full."""
     trial = one.turns(cycle, TIMES)
-    times = _times_to_full(trial)
+    times = MAX_TIMES if _goes_on(one.last, cycle) else _times_to_full(trial)
     if times > TIMES:
         trial = one.turns(cycle, times)
     return trial.timeline
+
+
+def _goes_on(run: Run, cycle: MachineCycle) -> bool:
+    """True if an axis ends each turn of a cycle further on, so that it approaches something."""
+    ends: dict[tuple[int, int], list[float]] = defaultdict(list)
+    for each in run.machine.log.moves:
+        if each.line in cycle.work and each.profile is not None and each.profile.duration < inf:
+            ends[each.axis, each.line].append(each.profile.end)
+    last = [each[-TIMES:] for each in ends.values() if len(each) >= TIMES]
+    return any(b - a and isclose(b - a, c - b) for a, b, c in last)
 
 
 def _times_to_full(trial: Trial) -> int:
@@ -337,6 +349,10 @@ class _Comparison:
         timeline, result = way.timeline, compared(a, b)
         if last > 0.0 and (result.differences or result.later):
             timeline, b, result = self._followed(way.timeline, self.a.play(way.timeline), b, result)
+        if any(not (each.a and each.b) for each in result.differences if each.end is None):
+            # What one side lacks may only come later there.
+            a = self.a.play(way.timeline, 0.0, PATIENCE)
+            timeline, b, result = self._followed(way.timeline, a, b, result, PATIENCE)
         found.played += 1
         alone = self._alone(way, a, b)
         if result.differences and alone:
@@ -385,7 +401,7 @@ class _Comparison:
         return ""
 
     def _followed(
-        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs
+        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs, patience: float = HORIZON
     ) -> tuple[Timeline, PlayedWay, ComparedActs]:
         """Play the changes in B as long after its rests as they came after those of A."""
         made: Timeline = ()
@@ -393,16 +409,16 @@ class _Comparison:
         for time, group in groupby(timeline, key=lambda each: each[0]):
             changes = tuple((time, change) for _, change in group)
             if time > 0.0:
-                part = self.b.play(made, since) if made else self.b.play(())
+                part = self.b.play(made, since if made else 0.0, patience)
                 moved = _moment(time, a, part, late)
                 if moved is None:
                     return timeline, b, result
                 late = moved - time
             since = max(time + late, since)
             made = (*made, *((round(since, 6), change) for _, change in changes))
-        if made == timeline:
+        if made == timeline and patience == HORIZON:
             return timeline, b, result
-        again = self.b.play(made)
+        again = self.b.play(made, 0.0, patience)
         return made, again, compared(a, again)
 
 

@@ -5,8 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.acts import ActDifference, ComparedAct
-from motionlang.commands.diff.ways import CycleTime, FoundDifference, FoundLater, Way, WaysCompared
+from motionlang.commands.diff.acts import WITHIN, ActDifference, ComparedAct
+from motionlang.commands.diff.ways import (
+    MAX_TIMES,
+    TIMES,
+    CycleTime,
+    FoundDifference,
+    FoundLater,
+    Way,
+    WaysCompared,
+)
 from motionlang.exploration import Change, Exploration, Timeline
 from motionlang.kernel import dialect
 from motionlang.kernel.lang import names_in_comments
@@ -62,7 +70,8 @@ def summary(found: WaysCompared) -> str:
     parts += [
         f"{count} {_verb(count, 'exist')} only in {side}" for side, count in found.only.items() if count
     ]
-    text = f"{count_of(found.played, 'way')} played in both: {', '.join(parts)}"
+    limits = f"cycles {TIMES} to {MAX_TIMES} times, times to {1000 * WITHIN:.10g} ms"
+    text = f"{count_of(found.played, 'way')} played in both ({limits}): {', '.join(parts)}"
     a, b = (found.unreached[side] for side in ("A", "B"))
     if a and a == b:
         return f"{text}; not reached in either: lines {ranges(a)}"

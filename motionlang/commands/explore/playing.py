@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from time import monotonic
 
 from motionlang.cli.command import Refused
 from motionlang.cli.option_groups import ProgramOptions
@@ -26,6 +27,12 @@ def playing(name: str) -> Iterator[Progress]:
         raise
     finally:
         progress.done()
+
+
+def time_used(seconds: float | None) -> Callable[[], float]:
+    """Return what gives the share of so many seconds of real time that is over; 0 if there is no such limit."""
+    began = monotonic()
+    return lambda: 0.0 if seconds is None else (monotonic() - began) / seconds
 
 
 def explored_program(

@@ -89,7 +89,7 @@ examples:
         default=(),
         read=names,
     )
-    patch: str | None = option("FILE", "also write the difference of the program")
+    patch: str | None = option("FILE", "also write the difference of the program", writes=True)
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
 
     def check(self) -> None:

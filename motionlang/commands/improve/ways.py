@@ -16,7 +16,7 @@ from typing import NamedTuple
 from motionlang.commands.diff.acts import ComparedAct, PlayedWay
 from motionlang.commands.diff.ways import FoundDifference, Player, compared_ways
 from motionlang.commands.diff.ways_view import difference_words, input_names, not_compared, way_words
-from motionlang.exploration import Timeline, explore, without_figures, without_world
+from motionlang.exploration import HORIZON, Timeline, explore, without_figures, without_world
 from motionlang.kernel import Program
 from motionlang.kernel.tools import count_of
 
@@ -35,8 +35,8 @@ class PlayedWays(NamedTuple):
 class _WithoutTimes(Player):
     """A program whose speeds, figures in prints, and places where a motion is cut off do not count."""
 
-    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedWay:
-        played = super().play(timeline, since)
+    def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedWay:
+        played = super().play(timeline, since, patience)
         acts = {task: [*map(_without_times, some)] for task, some in played.acts.items()}
         return played._replace(acts=acts)
 

@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import unified_diff
 from errno import ENOENT
-from time import monotonic
 from typing import TYPE_CHECKING, ClassVar, TypeVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
@@ -16,8 +15,9 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritte
 from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
+from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import mapped, recorded
-from motionlang.commands.explore.playing import playing
+from motionlang.commands.explore.playing import playing, time_used
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
 from motionlang.commands.init.summary import fault, motionless, notes
@@ -184,7 +184,14 @@ examples:
         else:
             measured = self._measured(program, language.program(program.source), board)
             found = measured.draft
-        if self.recording is None and sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty():
+        interrupted = found.exploration.interrupted
+        if (
+            interrupted is None
+            and self.recording is None
+            and sys.stdin is not None
+            and sys.stdin.isatty()
+            and sys.stdout.isatty()
+        ):
             given = _ask(source, found)
             if given:
                 found = self._drafted(program, board | given)
@@ -195,6 +202,9 @@ examples:
         sys.stdout.write(f"{path}: written, {count_of(found.count, 'guess', 'guesses')}\n")
         if target.others:
             sys.stdout.write(f"controller.model is {target.model}; {also_fitting(target)}\n")
+        if interrupted is not None:
+            sys.stderr.write(f"note: cut off after {count_of(found.exploration.trials, 'trial')}\n")
+            SIGNALS.end_with(interrupted)
         try:
             _write_scenarios(file, found, self.until)
         except OSError as error:
@@ -263,11 +273,10 @@ examples:
 
     def _drafted(self, program: Program, given: dict[str, object]) -> Draft:
         """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""
-        ends = None if self.seconds is None else monotonic() + self.seconds
         with playing(program.source.name) as progress:
-            exploration = explore(
-                program, given, is_over=lambda: ends is not None and monotonic() > ends, progress=progress
-            )
+            exploration = explore(program, given, used=time_used(self.seconds), progress=progress, keeps=True)
+        if exploration.interrupted is not None:
+            return Draft(exploration, exploration.world, exploration.interrupted, given)
         found = exploration.cycles
         number = _asked_cycle(exploration) if self.cycle is None else self.cycle
         if number is not None and number > len(found):

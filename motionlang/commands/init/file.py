@@ -29,12 +29,13 @@ SAME = 1e-6
 SLACK = 1e-3
 HEAD = """\
 # The machine around {program}, written by motionlang init.
-#
+#{cut}
 # A line with `guess = true` is a guess. Correct it and remove `guess = true`; until then, a run that depends on it
 # reports it. docs/machine-file.md explains every key.
 {cycles}
 {model}run.until = {until:.10g}    # {limit}
 {stop}"""
+CUT = "\n# It was cut off before the world of its cycle was found.\n#"
 # The comments of a time limit, and of what ends the run before it.
 LIMIT = "the run ends here if the program does not"
 ASKS = "the program asks again, and there is no further answer"
@@ -103,7 +104,13 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     stop = _stop(result)
     ends = f"run.stop = {inline(stop)}    # {ASKS if 'event' in stop else REPEATS}\n" if stop else ""
     head = HEAD.format(
-        program=name, model=_model(target), cycles=_cycles(draft), until=until, limit=LIMIT, stop=ends
+        program=name,
+        cut=CUT if exploration.interrupted is not None else "",
+        model=_model(target),
+        cycles=_cycles(draft),
+        until=until,
+        limit=LIMIT,
+        stop=ends,
     )
     sections = [head, *_table("input", INPUTS, _inputs(draft)), *_unknown(exploration.program.structure)]
     for table in (each for each in HEADS if each != "input"):
@@ -112,8 +119,9 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
         sections.append(_axis(number, _switches(draft, number), result))
     expected = _expected(result)
-    sections.append(EXPECT.format(folder=scenario_folder(name)) if expected else FAULT)
-    for each in expected:
+    if exploration.interrupted is None:
+        sections.append(EXPECT.format(folder=scenario_folder(name)) if expected else FAULT)
+    for each in expected if exploration.interrupted is None else ():
         sections += ["\n[[expect]]\n", *(f"{key} = {toml_value(value)}\n" for key, value in each.items())]
     return "".join(sections)
 

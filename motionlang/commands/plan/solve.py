@@ -68,7 +68,7 @@ def _check(figures: Figures, rule: str | None) -> None:
 
 
 def _possible(known: Figures) -> None:
-    if "slew_time" in known and not -1e-9 <= known["slew_time"] / known.get("time", inf) < 1.0:
+    if "slew_time" in known and not -1e-9 <= known["slew_time"] / known.get("time", inf) <= 1.0:
         raise ValueError("contradiction: the distance does not fit the speed and the time")
 
 

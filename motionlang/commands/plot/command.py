@@ -55,6 +55,8 @@ examples:
     _names_file: bool = field(default=False, init=False, repr=False)
 
     def check(self) -> None:
+        if not self.out and self.output is not None and self.output.lower().endswith(PLOTS):
+            self.out, self.output = self.output, None
         super().check()
         if not self.out:
             if self.file == STDIN:

@@ -9,7 +9,6 @@ from typing import ClassVar
 from motionlang.cli.command import flag, option
 from motionlang.cli.output_files import written
 from motionlang.cli.run_command import Simulated
-from motionlang.cli.run_to_file import refuse_input
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
@@ -44,8 +43,6 @@ examples:
     def prepare(self) -> None:
         if self.paths:
             need("motionlang profile --paths", "numpy")
-        if self.to is not None:
-            refuse_input(self, self.to)
 
     def extend(self, result: Result) -> None:
         within_budget(result)

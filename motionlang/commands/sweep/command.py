@@ -23,6 +23,7 @@ from motionlang.commands.sweep.journal import OtherSweep, RowJournal, read
 from motionlang.commands.sweep.report import SweepReport
 from motionlang.commands.sweep.table import write_rows
 from motionlang.commands.sweep.variants import Variants
+from motionlang.commands.sweep.worlds import SUFFIX
 from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, ProgramError, Terminated
 from motionlang.views.progress import Progress
 
@@ -90,6 +91,9 @@ examples:
             raise WrongOption("--resume needs --rows-to, next to which the unfinished rows are stored")
         if self.minimise is not None and self.maximise is not None:
             raise WrongOption("give either --minimise or --maximise, not both")
+
+    def unnamed_files(self) -> list[str]:
+        return [*super().unnamed_files(), os.path.splitext(self.file)[0] + SUFFIX]
 
     def run(self) -> int:
         try:

@@ -18,6 +18,8 @@ TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
 RATE = 1000.0
 # TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
+# What a value takes in a file, in bytes, and the size from which a trace says how large it becomes.
+BYTES, LARGE = 10, 100e6
 HERTZ = real("a rate above 0 and up to 10,000,000 samples per second", 0.0, 10e6, above=True)
 
 
@@ -63,6 +65,9 @@ examples:
         if self.columns is not None:
             trace.choose(self.columns)
         rate = self.rate or (RATE if self.points is None else SERVO_RATE)
+        size = trace.rows(rate) * len(trace.columns()) * BYTES
+        if size > LARGE:
+            sys.stderr.write(f"note: {trace.rows(rate):,} rows, some {size / 1e6:,.0f} MB\n")
         progress = Progress(sys.stderr, self.out)
         try:
             write_trace(trace, self.out, rate, progress, _wired(result) if self.channels else ())

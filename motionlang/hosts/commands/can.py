@@ -43,7 +43,7 @@ class ServedDrives(Served):
         "the number of drives, nodes 1 to N (1)",
         read=whole("a number of drives from 1 to 127", 1, 127),
     )
-    eds: str | None = option("FILE", "write the EDS file of the drives")
+    eds: str | None = option("FILE", "write the EDS file of the drives", writes=True)
 
     def check(self) -> None:
         super().check()

@@ -50,7 +50,7 @@ examples:
   motionlang mcapi run --record a.log -- yaqd-pmc --config stages.toml
 """
     program: list[str] = argument("PROGRAM", "the host program and its arguments, after --", many=True)
-    record: str | None = option("FILE", "write every call with its answer into FILE")
+    record: str | None = option("FILE", "write every call with its answer into FILE", writes=True)
 
     def run(self) -> int:
         """Serve a board on a free port to a program; return the program's exit status."""

@@ -103,14 +103,11 @@ def passing(controller: Readings, name: str, a: Axis, unit: str) -> Until:
     is_position = unit == POSITION
     to_counts = scale.position_to_counts if is_position else lambda level: scale.to_counts(level, unit)
 
-    def until(level: Level = None) -> float:
+    def until(level: float | None = None) -> float:
         if controller.is_still(axis):
             return INFINITY
         if crossing_time is None or level is None:
             return clock.now
-        if isinstance(level, tuple):
-            distance, centre = level
-            return min(until(centre + distance), until(centre - distance))
         if not (is_position and scale.wrap):
             return crossing_time(axis, to_counts(level))  # type: ignore[no-any-return]
         here = scale.position_to_user(getattr(controller, name)(axis))

@@ -56,6 +56,14 @@ CLOSE = 1e-7
 MAX_NOTES = 500
 
 
+def _levels(about: tuple[Any, ...]) -> tuple[tuple[Any, ...], ...]:
+    """Return what a note is about, once for each side if its level is a distance from a centre."""
+    if not about or not isinstance(about[-1], tuple):
+        return (about,)
+    *where, (distance, centre) = about
+    return (*where, centre + distance), (*where, centre - distance)
+
+
 class Dependencies:
     """The dependencies of the running task; `notes` is None without a client."""
 
@@ -87,9 +95,10 @@ class Dependencies:
         earliest = INFINITY
         try:
             for until, about in set(notes):
-                moment = until(*about)
-                if moment < earliest:
-                    earliest = moment
+                for level in _levels(about):
+                    moment = until(*level)
+                    if moment < earliest:
+                        earliest = moment
         finally:
             clock.now = now
         return earliest

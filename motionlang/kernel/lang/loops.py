@@ -206,10 +206,8 @@ class Loops:
             self._is_first = False
         self._find_futile(task, here, t)
         scheduler = self.machine.scheduler
-        if scheduler is not None and scheduler.gives_up:
-            if task.is_endless:
-                scheduler.give_up()
-            task.seen_shared = list(self.world.shared)
+        if scheduler is not None and scheduler.gives_up and task.is_endless:
+            scheduler.give_up()
         return self._check(task, here, t)
 
     def _follow(self, task: StepTask, here: int, is_inside: bool) -> None:
@@ -272,24 +270,29 @@ class Loops:
         dependencies, acted = self.world.dependencies, self.world.acted()
         now = acted, here, id(task.steps), task.pc, task.context(), list(task.own)
         notes, first, began = task.since
+        shared = list(self.world.shared)
+        stays = shared == task.seen_shared
         if (
             now == task.last_own
             and notes is not None
             and notes is dependencies.notes
-            and task.futile_after != acted
+            and (task.futile_after != acted or (stays and task.endless_with != shared))
             and dependencies.until(began - CLOSE, notes[first:]) == INFINITY
         ):
             asking = self.machine.controller.asking
             if asking is not None:
                 asking.repeats(began, self.time.at(t))
-            self._is_futile(task)
-        task.last_own = now
+            self._is_futile(task, stays)
+        task.last_own, task.seen_shared = now, shared
         task.since = dependencies.notes, len(dependencies.notes or ()), self.time.at(t)
 
-    def _is_futile(self, task: StepTask) -> None:
+    def _is_futile(self, task: StepTask, stays: bool) -> None:
+        """Record that only others can change the loop of a task; `stays` is True if it changes no variable of them."""
         acted = self.world.acted()
         if task.futile_after != acted:
             task.futile_since, task.futile_after = self.machine.clock.now, acted
+        if stays:
+            task.endless_with = list(self.world.shared)
 
     # ------------------------------------------------------------------------------------------------ states
 
@@ -484,7 +487,7 @@ class Loops:
         until = min([stable, clock.next_time(), *[each.due() - 0.5 * ROUNDING for each in kept]])
         if until == INFINITY and most == INFINITY and now.acted == last.acted:
             if last.delays.since(self._delays) == []:
-                self._is_futile(task)
+                self._is_futile(task, stays=True)
                 wait = self.world.stands_still()
                 if wait is not None:
                     return t, wait

@@ -218,7 +218,10 @@ class Scheduler:
         if not acts and self.is_over() and (self.outside is None or not self.outside.may_act()):
             first = tasks[0]
             why = f"for a change of {first.polled}" if first.polled else "for its loop to end"
-            raise Stuck(first, first.wait or Wait(self.clock.now, lambda: False, lambda: INFINITY, why))
+            leaves = first.conditions_out()
+            before = leaves()
+            wait = first.wait or Wait(self.clock.now, lambda: leaves() != before, lambda: INFINITY, why)
+            raise Stuck(first, wait)
 
     def stop(self) -> None:
         """End the run now, at an event that it was to end at."""

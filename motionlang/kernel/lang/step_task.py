@@ -90,8 +90,9 @@ class StepTask(Task):
         # Since when all its iterations are equal if nothing else acts, and after which actions.
         self.futile_since: float | None = None
         self.futile_after: object = None
-        # The variables of all tasks at its last checked jump back.
+        # The variables of all tasks at its last checked jump back, and those with which an iteration changed nothing.
         self.seen_shared: list[Any] | None = None
+        self.endless_with: list[Any] | None = None
 
     # -------------------------------------------------------------------------------------------- for the log
 
@@ -124,23 +125,29 @@ class StepTask(Task):
         return self.loop_log.open()
 
     @property
-    def is_futile(self) -> bool:
-        """True if only an event, or another task, can change its loop, and neither has acted."""
+    def polls_in_vain(self) -> bool:
         return self.futile_since is not None and self.futile_after == self.loops_of_all.world.acted()
 
     @property
-    def polls_in_vain(self) -> bool:
-        return self.is_futile
-
-    @property
     def is_endless(self) -> bool:
-        return self.is_futile and self.seen_shared == self.loops_of_all.world.shared
+        return self.polls_in_vain and self.endless_with == self.loops_of_all.world.shared
 
     def condition(self) -> Callable[[], object] | None:
         """Return the condition that its present step tests, None if that is not one."""
         steps, pc, values = self.steps, self.pc, self.values
         _, do, _, _, _ = step = steps[pc] if pc < len(steps) else steps[-1]
         return partial(do, values) if step.kind in (BRANCH, BACK) and do is not None else None
+
+    def conditions_out(self) -> Callable[[], list[bool]]:
+        steps, first, last = self.last_loop
+        tests = [
+            step.do
+            for pc, step in enumerate(steps[first : last + 1], first)
+            if step.do is not None
+            and ((step.kind == BRANCH and step.to > last) or (step.kind == BACK and pc == last))
+        ]
+        values = self.values
+        return lambda: [bool(test(values)) for test in tests]
 
     # ------------------------------------------------------------------------------------------ for languages
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
@@ -37,8 +37,12 @@ class Task:
 
     @property
     def is_endless(self) -> bool:
-        """True if it polls so, and no variable has changed since its last iteration."""
+        """True if it polls so, and its iterations change no variable."""
         return False
+
+    def conditions_out(self) -> Callable[[], list[bool]]:
+        """Return the function that tests the conditions that lead out of its loop."""
+        return list
 
     @property
     def polled(self) -> str:

@@ -60,6 +60,9 @@ def what_ends(
     options = []
     is_known = True
     if channels:
+        ways = (way for count in range(1, MAX_NAMED + 1) for way in combinations(channels, count))
+        ending = next((way for way in ways if _would_end(machine, wait, way)), None)
+        is_known, channels = bool(ending or latches), list(ending or channels)
         options += [
             f"{dash}input {each}={int(not levels.get(each, 0))}@{at}" for each in channels[:MAX_NAMED]
         ]

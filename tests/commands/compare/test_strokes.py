@@ -297,3 +297,17 @@ def test_a_line_that_differs_each_time_is_reported_once() -> None:
     found = compare(slow, Source("real.csv", "t,x\n" + rows), {"position.0": "x"})
     message = "position.0, MOVER of line 4: recorded the same 20 uu in 33 % less time: 100 against 50 uu/s"
     assert [each.message for each in found.remarks] == [f"{message} (and 4 more)"]
+
+
+@pytest.mark.parametrize("until", [4.35, 4.5, 4.62, 4.85])
+def test_a_move_that_the_end_of_the_run_cuts_is_not_compared(until: float) -> None:
+    text = (
+        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nLoop\n  MOVER(0) = 50 : GO(0) : PAUSE IDLE(0)\n"
+    )
+    text += "  WAIT(300)\n  MOVER(0) = -50 : GO(0) : PAUSE IDLE(0)\n  WAIT(200)\nEnd Loop\n"
+    samples = run(Source("a.mnt", text), until=10.0).trace.sample(200.0, [0], None, ["position"])
+    rows = "\n".join(f"{t:.6f},{x:.6f}" for t, x in zip(*samples.data, strict=True))
+    found = compare(
+        run(Source("a.mnt", text), until=until), Source("real.csv", "t,x\n" + rows), {"position.0": "x"}
+    )
+    assert all("after the end of the run, and not compared" in each.message for each in found.remarks)

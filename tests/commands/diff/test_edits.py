@@ -17,7 +17,7 @@ import pytest
 
 from motionlang.commands.diff.acts import PlayedWay
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
-from motionlang.exploration import Exploration, MachineCycle, Timeline, explore
+from motionlang.exploration import HORIZON, Exploration, MachineCycle, Timeline, explore
 from motionlang.exploration.search import MAX_WORK
 from motionlang.kernel import Source, dialect_for
 
@@ -55,10 +55,10 @@ class Original(Player):
     def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
         return iter(self._ways)
 
-    def play(self, timeline: Timeline, since: float = 0.0) -> PlayedWay:
-        key = timeline, since, tuple(self.names.items())
+    def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedWay:
+        key = timeline, since, patience, tuple(self.names.items())
         if key not in self._played:
-            self._played[key] = super().play(timeline, since)
+            self._played[key] = super().play(timeline, since, patience)
         return self._played[key]
 
 

@@ -117,3 +117,45 @@ def test_the_page_marks_what_only_one_program_does(cell: Cell) -> None:
     for side, output, line, letter in ((a, 1, 5, "A"), (b, 2, 6, "B")):
         assert f"<td>output {output} on</td><td>{line}</td><td class=only>only in {letter}</td>" in side
         assert "<td>input 0 (part) off</td>" in side
+
+
+FEED = """\
+SOFTLIMITMODE(0) = 1 : SOFTLIMITFORWARD(0) = 500
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  PAUSE INX(1)
+  MOVER(0) = 60 : GO(0) : PAUSE IDLE(0)
+  WAIT(500)
+  OUTX(1) = 1
+  PRINT "part"
+  OUTX(1) = 0
+  PAUSE Not INX(1)
+End Loop
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        # A cycle whose position goes on is played until it reaches what it approaches.
+        ("FORWARD(0) = 500", "FORWARD(0) = 400", "B axis 0 MOVER, cut off at 400"),
+        ("WAIT(500)", "WAIT(9000)", "output 1 on comes 8.500 s later in B"),
+        # An act that comes long after those of A is later, and not missing.
+        ("WAIT(500)", "WAIT(40000)", "output 1 on comes 39.500 s later in B"),
+    ],
+)
+def test_a_feed_that_goes_on(cell: Cell, old: str, new: str, said: str) -> None:
+    cell.write("a.mnt", FEED)
+    cell.write("b.mnt", FEED.replace(old, new))
+    ran = cell("diff", "a.mnt", "b.mnt", "--explore")
+    assert ran.status == 1
+    assert said in ran.out
+    assert "(cycles 3 to 40 times, times to 25 ms)" in ran.out.splitlines()[0]
+
+
+def test_a_case_with_other_values_is_reached(cell: Cell) -> None:
+    text = 'Dim k As Integer\nk = 1\nSelect Case k\nCase 1\n  PRINT "one"\nCase Else\n  PRINT "two"\nEnd Select\n'
+    cell.write("a.mnt", text)
+    cell.write("b.mnt", text.replace("Case 1", "Case 1, 1"))
+    assert cell("diff", "a.mnt", "b.mnt", "--explore").status == 0

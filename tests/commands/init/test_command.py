@@ -95,6 +95,15 @@ def test_an_input_that_leads_to_a_fault_stays_off(cell: Cell) -> None:
     assert 3 not in [each["channel"] for each in found]
 
 
+def test_a_stop_button_of_a_task_beside_the_cycle_stays_off(cell: Cell) -> None:
+    guard = "Loop\nIf INX(6) Then\nSTOP(0)\nOUTX(3) = 1\nPAUSE Not INX(6)\nEnd If\nWAIT(10)\nEnd Loop\n"
+    work = (
+        "Run Guard\nLoop\nPAUSE INX(1)\nMOVER(0) = 40 : GO(0) : PAUSE IDLE(0)\nPAUSE Not INX(1)\nEnd Loop\n"
+    )
+    found = inputs(cell, f"{work}Task Guard\n{guard}End Task\n", "old.mnt")
+    assert found == [{"channel": 1, "asked": 0.3}]
+
+
 UNUSED = f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nIF INX.2 THEN OUTX.6 = 1\nENDL\n"
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from typing import Any
 
 import pytest
 
@@ -105,3 +106,51 @@ def test_a_file_of_another_format(cell: Cell, extension: str, text: str) -> None
     ran = cell("init", "saw.mccl", "--recording", f"rec.{extension}")
     assert ran.status == 1
     assert f"error[recording]: rec.{extension} is not a" in ran.err
+
+
+# Where an input on an axis is on, as an entry has it.
+REGIONS = ("between = [39.0, 61.0]", "between = [39.0, 50.0]", "below = 39.0", "below = 0.5")
+# A carriage passes a light barrier, or touches a switch at its end.
+CARRIAGE = """\
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Dim n As Integer
+For n = 1 To 4
+  MOVEA(0) = 80 : GO(0)
+  While Not IDLE(0)
+    OUTX(1) = INX(2)
+  End While
+  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+Next
+"""
+
+
+def only_input(settings: dict[str, object]) -> Any:
+    """Return the entry of the only input of a machine file."""
+    (found,) = settings["input"]  # type: ignore[misc]
+    return found
+
+
+@pytest.mark.parametrize("rate", [20, 100, 1000])
+@pytest.mark.parametrize("region", REGIONS)
+def test_an_input_in_a_region_of_an_axis(cell: Cell, region: str, rate: int) -> None:
+    cell.write("a.mnt", CARRIAGE)
+    entry = f"{{ channel = 2, axis = 0, {region} }}"
+    world = read_machine(Source("w.toml", f"input = [{entry}]"))
+    cell.write("rec.csv", csv_of(Logger(1.0 / rate).table(machine_run(cell.folder / "a.mnt", world))))
+    assert cell("init", "a.mnt", "--recording", "rec.csv", "--format", "none").status == 0
+    right = only_input(world)
+    found = only_input(read_machine(Source.read(str(cell.folder / "a.machine.toml"))))
+    assert set(found) == set(right)
+    for key in set(right) - {"channel", "axis"}:
+        assert found[key] == pytest.approx(right[key], abs=100.0 / rate)
+
+
+def test_a_pulse_after_an_output_went_off(cell: Cell) -> None:
+    text = "For n = 1 To 4\n  OUTX(1) = 1\n  WAIT(1200 + 100 * n)\n  OUTX(1) = 0\n  PAUSE INX(2)\n  PAUSE Not INX(2)\n"
+    cell.write("a.mnt", f"Dim n As Integer\n{text}Next\n")
+    entry = {"channel": 2, "output": 1, "level": 0, "delay": 0.3, "for": 0.2}
+    run = machine_run(cell.folder / "a.mnt", {"input": [entry]})
+    cell.write("rec.csv", csv_of(Logger(0.01).table(run)))
+    assert cell("init", "a.mnt", "--recording", "rec.csv", "--format", "none").status == 0
+    found = only_input(read_machine(Source.read(str(cell.folder / "a.machine.toml"))))
+    assert found == pytest.approx(entry, abs=0.011)

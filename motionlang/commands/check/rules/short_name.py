@@ -14,6 +14,10 @@ if TYPE_CHECKING:
 
 def check(facts: MintFacts, warn: Warn) -> None:
     seen: set[str] = set()
+    names = (each for each in facts.of_kind(nodes.Name) if each.row is not None)
+    in_full = {
+        each.row.name for each in names if each.row is not None and each.name.lower() == each.row.name.lower()
+    }
     for node in facts.of_kind(nodes.Assign):
         target, value = node.target, node.values[0]
         if type(target) is not nodes.Name or target.row is None or target.args is not None:
@@ -22,10 +26,17 @@ def check(facts: MintFacts, warn: Warn) -> None:
         counts = (
             type(value) is nodes.Binary and type(value.left) is nodes.Name and value.left.row is target.row
         )
-        if is_short and counts and target.row.name not in seen:
+        what = (
+            "counts here"
+            if counts
+            else "the program also writes in full"
+            if target.row.name in in_full
+            else ""
+        )
+        if is_short and what and target.row.name not in seen:
             seen.add(target.row.name)
             warn(
-                f"{target.name} is the keyword {target.row.name}, which counts here",
+                f"{target.name} is the keyword {target.row.name}, which {what}",
                 target.start,
                 another_name(target.name, target.row),
             )
@@ -35,8 +46,9 @@ RULE = Rule(
     code="short-name",
     group="Names",
     text="""\
-A statement adds to a keyword that is written by its short name and was probably meant as a variable: `TM = TM + 1`
-changes TERMINAL, the terminals to which PRINT writes.
+A statement sets a keyword that is written by its short name and was probably meant as a variable: it adds to it, or
+the program writes the keyword in full elsewhere. `TM = TM + 1` changes TERMINAL, the terminals to which PRINT writes;
+`jg = 1` beside `JOG.0 = 40` starts a jog.
 """,
     fix="give the variable another name",
     mint=RuleCase(

@@ -474,7 +474,7 @@ def _is_even(marks: Sequence[_Mark], counts: Sequence[int], tolerance: float) ->
 def _line(marks: Sequence[_Mark], counts: Sequence[int]) -> tuple[float, float]:
     """Return the distance between marks, and the position of the first one."""
     if len(marks) == 1:
-        return inf, marks[0][0].value
+        return 0.0, marks[0][0].value
     every, first = np.polyfit(np.array(counts), np.array([low.value for low, _ in marks]), 1)
     return float(every), float(first)
 

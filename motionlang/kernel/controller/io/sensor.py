@@ -100,16 +100,12 @@ class Sensor:
     def _sample_at(self, tick: int) -> float:
         return sample(self._sampled, self._profile, tick)
 
-    def until(self, shown: Callable[[float], float], level: float | tuple[float, float] | None) -> float:
+    def until(self, shown: Callable[[float], float], level: float | None) -> float:
         """Return the first tick at which a sample may have passed a level.
 
-        `shown` converts a sample into the unit of the level. A level `(distance, centre)` is passed at `distance` on
-        either side of `centre`. The result is infinite if the present profile ends before: its end is an event of its
-        own.
+        `shown` converts a sample into the unit of the level. The result is infinite if the present profile ends before:
+        its end is an event of its own.
         """
-        if isinstance(level, tuple):
-            distance, centre = level
-            return min(self.until(shown, centre + distance), self.until(shown, centre - distance))
         now = self.a.clock.now
         last = _last(now)
         found = self.level()

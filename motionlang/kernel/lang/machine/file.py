@@ -36,6 +36,8 @@ from motionlang.kernel.servo.settings import mistakes as servo_mistakes
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace, as_hint, nearest, shown
 
+# So many keys of a section are listed in a hint.
+MAX_KEYS = 6
 # Every key of the vocabulary has fewer parts than this.
 _MAX_DEPTH = 5
 # A key with more parts is rejected before Python's reader sees it. The reader stores every prefix of a key,
@@ -65,7 +67,7 @@ def read_machine(
     tree = read_toml(source)
     settings: dict[str, object] = {}
     mistakes: list[Diagnostic] = []
-    for key, value in _flatten(tree):
+    for key, value in flat(tree):
         problems = list(_problems(key, _with_some_channel(key, value) if is_layer else value, language))
         mistakes.extend(_located(source, key, *problem) for problem in problems)
         if not problems:
@@ -131,8 +133,11 @@ def _keys_below(key: str) -> str:
     while section and not below:
         section = section.rpartition(".")[0]
         below = [each for each in KEYS if each.startswith(f"{section}.")]
-    begins = ", ".join(below[:3] or dict.fromkeys(each.partition(".")[0] for each in KEYS))
-    known = f"a key of {section.removesuffix('.N')} is {begins} …" if below else f"a key begins with {begins}"
+    begins = ", ".join(below[:MAX_KEYS] or dict.fromkeys(each.partition(".")[0] for each in KEYS))
+    more = " …" if len(below) > MAX_KEYS else ""
+    known = (
+        f"a key of {section.removesuffix('.N')} is {begins}{more}" if below else f"a key begins with {begins}"
+    )
     return f"{known}; docs/machine-file.md lists all"
 
 
@@ -263,8 +268,12 @@ def _when_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[st
     if "axis" in entry and table in ("input", "analogue") and where in ([], ["output"]):
         hint = "add above, below or between, or remove axis"
         yield f"axis of [[{table}]] has no effect without a position", hint, "axis"
+    is_region = bool(where) and where[0] in ("above", "below", "between")
+    if table == "input" and is_region and entry.get("value") == 0:
+        hint = f"let {where[0]} name the positions at which it is on, and remove value"
+        yield "[[input]] with value = 0 is on at no position", hint, "value"
     is_repeated = "every" in entry and "between" not in entry  # reported by itself
-    if "for" in entry and where and where[0] in ("above", "below", "between") and not is_repeated:
+    if "for" in entry and is_region and not is_repeated:
         hint = f"it is active where {where[0]} says: remove for"
         yield f"for of [[{table}]] has no effect with a position", hint, "for"
     for name in ("delay", "level"):
@@ -459,13 +468,13 @@ def generic(key: str) -> str:
     return ".".join(components)
 
 
-def _flatten(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
+def flat(tree: Mapping[str, object], prefix: str = "") -> Iterator[tuple[str, object]]:
     """Yield the values by dotted key; tables nested too deep are not split."""
     for key, value in tree.items():
-        if isinstance(value, dict) and prefix.count(".") < _MAX_DEPTH:
-            yield from _flatten(value, f"{prefix}{key}.")
+        if isinstance(value, Mapping) and prefix.count(".") < _MAX_DEPTH:
+            yield from flat(value, f"{prefix}{key}.")
         else:
-            yield prefix + key, value
+            yield f"{prefix}{key}", value
 
 
 def _located(source: Source, key: str, message: str, hint: str, name: str, entry: int = 0) -> Diagnostic:

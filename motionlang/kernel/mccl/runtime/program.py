@@ -244,13 +244,13 @@ class FileTask(CommandTask):
 def _only_watches(task: CommandTask) -> bool:
     """True if a task polls a value that no event changes, or waits for an input."""
     wait = task.wait
-    return task.is_futile or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
+    return task.is_endless or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
 
 
 def remark_on(source: Source, task: CommandTask) -> str:
     """Return a remark on a background task that still polls after the foreground ends."""
     line, _, _ = locate(source, task.at)
-    if task.is_futile:
+    if task.is_endless:
         doing, since = (
             f"polled {task.polled}" if task.polled else "ran a loop that polls nothing",
             task.futile_since,

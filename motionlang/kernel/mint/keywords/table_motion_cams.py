@@ -211,8 +211,8 @@ def bind_index(environment: Environment, row: Keyword) -> Operation:
     def index(environment: Environment, axis: int, level: Level = None) -> int:
         return controller.cam_index(axis) + 1
 
-    def until(axis: int, level: Level = None) -> float:
-        if level is None or isinstance(level, tuple) or abs(level) == INFINITY:
+    def until(axis: int, level: float | None = None) -> float:
+        if level is None or abs(level) == INFINITY:
             return controller.cam_index_time(axis)
         return controller.cam_index_time(axis, ceil(level) - 1)
 

@@ -10,6 +10,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.faults import ALL
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.queue.buffer import end
+from motionlang.kernel.controller.readers import Level
 from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.change_times import Dependencies
 from motionlang.kernel.lang.loops import Loops
@@ -235,7 +236,7 @@ class Environment(Waits):
 
     # ---------------------------------------------------------------------------------------------- time
 
-    def elapsed(self, base: float, level: float | None = None) -> int:
+    def elapsed(self, base: float, level: Level = None) -> int:
         """Return the milliseconds since a time, rolled over to the range of an Integer.
 
         `level` is the value that they are compared with, if it is known.

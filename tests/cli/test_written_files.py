@@ -1,0 +1,51 @@
+"""No command writes over a file that it reads, or writes two results into one file."""
+
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from tests.cli.programs import STROKE, Cell
+
+USED = "this command already uses"
+TWICE = "both write"
+
+
+@pytest.mark.parametrize(
+    ("command", "why"),
+    [
+        ("init a.mnt -o a.machine.toml", USED),
+        ("certify a.mnt -o a.machine.toml", USED),
+        ("run a.mnt -o a.mnt", USED),
+        ("run a.mnt -o ./a.mnt", USED),
+        ("run a.mnt -o link.mnt", USED),
+        ("run a.mnt --nv a.mnt", USED),
+        ("run a.mnt --machine m.toml -o m.toml", USED),
+        ("compare a.mnt rec.csv -o rec.csv", USED),
+        ("diff a.mnt b.mnt -o b.mnt", USED),
+        ("sweep a.mnt --vary rate=1,2 -o a.mnt", USED),
+        ("sweep a.mnt --scenarios worlds --vary rate=1,2 -o worlds/one.toml", USED),
+        ("improve a.mnt --patch a.mnt", USED),
+        ("verify . -o a.mnt", USED),
+        ("profile a.mnt --to p.json -o p.json", TWICE),
+        ("cover a.mnt --html c.html --lcov c.html", TWICE),
+        ("plot a.mnt out.html -o out.html", TWICE),
+    ],
+)
+def test_a_file_that_is_in_use_is_not_written(command: str, why: str, cell: Cell) -> None:
+    for name in ("a.mnt", "b.mnt", "rec.csv", "m.toml", "worlds/one.toml"):
+        cell.write(name, STROKE)
+    os.link(cell.folder / "a.mnt", cell.folder / "link.mnt")
+    before = {path: path.read_bytes() for path in cell.folder.rglob("*") if path.is_file()}
+    ran = cell(*command.split())
+    assert (ran.status, ran.out) == (2, "")
+    assert why in ran.err
+    assert {path: path.read_bytes() for path in cell.folder.rglob("*") if path.is_file()} == before
+
+
+def test_the_output_of_plot_is_its_picture(cell: Cell) -> None:
+    cell.write("a.mnt", STROKE)
+    ran = cell("plot", "a.mnt", "-o", "other.html")
+    assert (ran.status, ran.out) == (0, "there\n")
+    assert sorted(path.name for path in cell.folder.glob("*.html")) == ["other.html"]
