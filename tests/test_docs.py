@@ -1,7 +1,7 @@
 """The documents match the program: their code blocks are run.
 
-` ```console ` blocks hold `$ motionlang …` and `$ python examples/notes/…` lines, each followed by its exact
-output; `…` alone on a line stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not
+` ```console ` blocks hold `$ motionlang …` and `$ python -m tests.lab.notes.scripts.…` lines, each followed by its
+exact output; `…` alone on a line stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not
 exist. `< FILE` is standard input. `--update` writes what differs. ` ```mint ` and ` ```mccl ` blocks are programs
 that run without a diagnostic, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed.
 ` ```editor ` blocks show a program in an editor, which `tests/ide/lsp/test_documented_session.py` compares. Blocks of
@@ -117,10 +117,10 @@ def test_console(
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
     """Return output and errors of one command of a console block.
 
-    The commands other than `motionlang` are `cat`, `cp`, and `python` for a script of `examples/notes`.
+    The commands other than `motionlang` are `cat`, `cp`, and `python` for a script of `tests/lab/notes/scripts`.
     """
     if words[0] == "python":
-        return printed(*words[1:]), ""
+        return printed(words[2].rpartition(".")[2], *words[3:]), ""
     if words[0] == "cp":
         shutil.copy(words[1], words[2])
         return "", ""

@@ -19,11 +19,13 @@ first words. Each row has the command that reproduces it, what its output shows,
 search the page that is named, and compare. The scans have no page numbers, so rows are grouped by the documents' own
 headings.
 
-These scripts print the tables, the formulas and the figures of the documents: [tn1069.py](../examples/notes/tn1069.py),
-[an00115.py](../examples/notes/an00115.py), and for chapter 12 [chapter12.py](../examples/notes/chapter12.py),
-[chapter12_drawn.py](../examples/notes/chapter12_drawn.py), [slip.py](../examples/notes/slip.py),
-[dac.py](../examples/notes/dac.py) and [listing.py](../examples/notes/listing.py). `motionlang.notes` has what they
-calculate.
+The scripts in [tests/lab/notes/scripts](../tests/lab/notes/scripts) print the tables, the formulas and the figures of
+the documents: [tn1069.py](../tests/lab/notes/scripts/tn1069.py),
+[an00115.py](../tests/lab/notes/scripts/an00115.py), and for chapter 12
+[chapter12.py](../tests/lab/notes/scripts/chapter12.py),
+[chapter12_drawn.py](../tests/lab/notes/scripts/chapter12_drawn.py),
+[slip.py](../tests/lab/notes/scripts/slip.py), [dac.py](../tests/lab/notes/scripts/dac.py) and
+[listing.py](../tests/lab/notes/scripts/listing.py). They need a clone of the repository.
 
 A test runs every command and compares its output (`tests/sources/test_sources.py`). Rows of kind *context* have nothing
 to compute: they say why. Where no command shows a figure, the row has the formula with the document's figures, which

@@ -41,7 +41,7 @@ def answer(command: str) -> str:
     """Return the output of a command, standard error after standard output."""
     program, *words = shlex.split(command)
     if program == "python":
-        return printed(*words)
+        return printed(words[1].rpartition(".")[2], *words[2:])
     assert program == "motionlang", command
     out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True) for _ in range(2))
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), contextlib.suppress(SystemExit):

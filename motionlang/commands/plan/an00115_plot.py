@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from motionlang.lab.notes.an00115 import Move, cut_triangle, moved_triangle, rectangle, trapezoid
+from motionlang.commands.plan.an00115 import Move, cut_triangle, moved_triangle, rectangle, trapezoid
 from motionlang.views.figure import AXIS, BLUE, FAINT, INK, RED, Area, Curve, Figure, Note, Panel
 
 Point = tuple[float, float]

@@ -15,12 +15,12 @@ from motionlang.cli.option_groups import OutputOptions, Picture
 from motionlang.cli.readers import integer, number
 from motionlang.commands.plan import WRITERS, solve_plan
 from motionlang.commands.plan import number as shown
+from motionlang.commands.plan.an00115 import formulas
 from motionlang.commands.plan.an00115_plot import plan_figure
 from motionlang.commands.plan.reach import needed_distance, remedies
 from motionlang.commands.plan.scale import ScaleOptions
 from motionlang.commands.plan.solve import NAMES, RULES, Underdetermined
 from motionlang.kernel import dialects
-from motionlang.lab.notes.an00115 import formulas
 from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import styled, wants_colour

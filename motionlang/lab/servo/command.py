@@ -13,10 +13,10 @@ from motionlang.kernel import CheckedSettings, WholeTrack
 from motionlang.kernel import run as run_program
 from motionlang.kernel.servo import SERVO, Motor, VelocityDrive, make_loop, mccl_values, mint_values
 from motionlang.kernel.servo import simulate as simulate_loop
-from motionlang.lab.notes.tn1069_servo import BASES
-from motionlang.lab.notes.tn1069_servo import compare as compared
 from motionlang.lab.servo import view
 from motionlang.lab.servo.input import BANDWIDTH, POSITIVE, Gains, OneAxis, gains_of, pairs, spoken
+from motionlang.lab.servo.tn1069 import BASES
+from motionlang.lab.servo.tn1069 import compare as compared
 from motionlang.views.figure import Figure
 from motionlang.views.table import Column, Document, Table, records_table
 

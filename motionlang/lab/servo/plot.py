@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from motionlang.kernel.servo import ServoTrace
-from motionlang.lab.notes.tn1069_servo import Row
+from motionlang.lab.servo.tn1069 import Row
 from motionlang.lab.servo.view import SHAPE_NAMES
 from motionlang.views.figure import AXIS, BLUE, COLOURS, GREEN, INK, RED, VIOLET, Curve, Figure, Panel
 from motionlang.views.outline import Array, thinned

@@ -8,7 +8,7 @@ from math import floor, inf, log10
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.servo import Motor, VelocityDrive
-from motionlang.lab.notes.tn1069_servo import Row
+from motionlang.lab.servo.tn1069 import Row
 from motionlang.views.table import Column, Table
 
 if TYPE_CHECKING:

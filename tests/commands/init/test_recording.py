@@ -126,7 +126,8 @@ Next
 
 def only_input(settings: dict[str, object]) -> Any:
     """Return the entry of the only input of a machine file."""
-    (found,) = settings["input"]  # type: ignore[misc]
+    inputs: Any = settings["input"]
+    (found,) = inputs
     return found
 
 

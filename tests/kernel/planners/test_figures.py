@@ -30,12 +30,12 @@ from motionlang.kernel.planners.pieces import position_in, recentred, transforme
 from motionlang.kernel.planners.sequence import ProfileSequence, chained
 from motionlang.kernel.planners.superposition import added
 from motionlang.kernel.planners.table_motion import table_curve
-from motionlang.lab.notes.dissect import (
+from motionlang.lab.pvt.fit import motion_error, track_error
+from motionlang.lab.pvt.points import Point, plan_points
+from tests.lab.notes.vendor.dissect import (
     dac_timing,
     discrete_trapezoid,
 )
-from motionlang.lab.pvt.fit import motion_error, track_error
-from motionlang.lab.pvt.points import Point, plan_points
 
 Piece = tuple[float, float, float, float, float, float, float]
 # x³ - 6x² + 9x + 2, with extrema at 1 and 3 and an inflection at 2.

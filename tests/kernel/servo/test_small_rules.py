@@ -16,7 +16,7 @@ from motionlang.kernel.servo.discrete import discretise
 from motionlang.kernel.servo.response import DROP, _crossing, _first_fall
 from motionlang.kernel.servo.samples import SampleBlock, SettlingWindow, next_other_side, next_side
 from motionlang.kernel.servo.step import COLUMNS, LoopStep, at_rest
-from motionlang.lab.notes.slip import _slid
+from tests.lab.notes.vendor.slip import _slid
 
 
 @pytest.mark.parametrize(

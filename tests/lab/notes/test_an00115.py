@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import pytest
 
+from motionlang.commands.plan import an00115
 from motionlang.commands.plan.an00115_plot import plan_figure
 from motionlang.commands.plan.solve import NAMES, solve_move
-from motionlang.lab.notes import an00115
 from motionlang.views.figure_files import svg
 from tests.cases import cases
 

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 
 from motionlang.kernel.planners import plan
 from motionlang.kernel.servo import Loop, Track, VelocityDrive, simulate
-from motionlang.lab.notes import dissect
-from motionlang.lab.notes.chapter12 import Listing, ListingRun, Settings, run_listing
-from motionlang.lab.notes.dac_override import demonstrate
-from motionlang.lab.notes.slip import check_profile, check_trace
 from tests.cases import examples
+from tests.lab.notes.vendor import dissect
+from tests.lab.notes.vendor.chapter12 import Listing, ListingRun, Settings, run_listing
+from tests.lab.notes.vendor.dac_override import demonstrate
+from tests.lab.notes.vendor.slip import check_profile, check_trace
 
 LIMIT = dissect.slip_acceleration(0.1, 32.2)
 SPEED = 100.0 / 60.0

@@ -1,4 +1,4 @@
-"""The examples in the docstrings of `motionlang.lab.notes`, and that each public function has one."""
+"""The examples in the docstrings of `tests.lab.notes.vendor`, and that each public function has one."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from types import ModuleType
 
 import pytest
 
-from motionlang.lab import notes
+from tests.lab.notes import vendor
 
-MODULES = [import_module(f"motionlang.lab.notes.{each.name}") for each in iter_modules(notes.__path__)]
+MODULES = [import_module(f"tests.lab.notes.vendor.{each.name}") for each in iter_modules(vendor.__path__)]
 
 
 @pytest.mark.parametrize("module", MODULES, ids=lambda module: module.__name__.split(".")[-1])

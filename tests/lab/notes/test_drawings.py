@@ -18,9 +18,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from matplotlib.text import Annotation
 
-from motionlang.lab.notes.chapter12 import run_listing
-from motionlang.lab.notes.dac_override import demonstrate
 from tests.lab.notes.examples import printed
+from tests.lab.notes.vendor.chapter12 import run_listing
+from tests.lab.notes.vendor.dac_override import demonstrate
 
 RAMP, TOTAL, SPEED, LIMIT = 0.5175983, 1.7175983, 5.0 / 3.0, 3.22
 STEP, STEP_TIME = 0.048828125, 252.7336
@@ -41,7 +41,7 @@ def drawn(monkeypatch: pytest.MonkeyPatch) -> list[Figure]:
 
 def panels_of(number: str, drawn: list[Figure]) -> list[Axes]:
     """Draw a figure of chapter 12 and return its panels."""
-    assert printed("examples/notes/chapter12_drawn.py", number, "x.svg") == ""
+    assert printed("chapter12_drawn", number, "x.svg") == ""
     assert drawn[-1].get_suptitle().startswith(f"{number}  ")
     return drawn[-1].axes
 
@@ -200,7 +200,7 @@ def test_figure_12_11_is_a_chain_of_blocks_with_feedback(drawn: list[Figure]) ->
 
 
 def test_tn1069_is_drawn_in_three_panels(drawn: list[Figure]) -> None:
-    assert printed("examples/notes/tn1069.py", "x.svg")
+    assert printed("tn1069", "x.svg")
     panels = drawn[0].axes
     assert [list(curves(panel)) for panel in panels] == [
         ["trapezoidal", "sinusoidal", "trapezoidal 0.1", "parabolic"]
@@ -214,7 +214,7 @@ def test_tn1069_is_drawn_in_three_panels(drawn: list[Figure]) -> None:
 
 
 def test_the_listing_is_drawn_by_update(drawn: list[Figure]) -> None:
-    assert printed("examples/notes/listing.py", "x.svg")
+    assert printed("listing", "x.svg")
     made = run_listing()
     first, second, third = drawn[0].axes
     assert {name: points[:, 1].tolist() for name, points in curves(first).items()} == {
@@ -228,7 +228,7 @@ def test_the_listing_is_drawn_by_update(drawn: list[Figure]) -> None:
 
 def test_the_start_of_a_move_is_drawn_against_its_limit(drawn: list[Figure]) -> None:
     """A row for each run: 60 ms of the acceleration after each change of the DAC, and the DAC in steps of 12 bits."""
-    assert printed("examples/notes/dac.py", "x.svg")
+    assert printed("dac", "x.svg")
     runs = demonstrate()
     for left, right, run in zip(drawn[0].axes[::2], drawn[0].axes[1::2], runs, strict=True):
         assert left.get_ylabel().startswith(run.name)

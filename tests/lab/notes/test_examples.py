@@ -1,4 +1,4 @@
-"""The scripts in `examples/notes/` print what the documents print."""
+"""The scripts in `tests/lab/notes/scripts/` print what the documents print."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tests.lab.notes.examples import PRINTING, ROOT, SCRIPTS, printed
 
 @pytest.mark.parametrize("name", PRINTING)
 def test_an_example_prints_its_golden_text(name: str, request: pytest.FixtureRequest) -> None:
-    golden, text = Path(__file__).with_name("printed") / f"{name}.txt", printed(f"examples/notes/{name}.py")
+    golden, text = Path(__file__).with_name("printed") / f"{name}.txt", printed(name)
     if request.config.getoption("--update"):
         golden.write_text(text, encoding="utf-8", newline="\n")
     assert text == golden.read_text(encoding="utf-8")
@@ -21,5 +21,5 @@ def test_an_example_prints_its_golden_text(name: str, request: pytest.FixtureReq
 @pytest.mark.parametrize("page", ["sources.md", "servo.md tn1069.md an00115.md"])
 def test_each_example_is_linked(page: str) -> None:
     text = "".join((ROOT / "docs" / name).read_text(encoding="utf-8") for name in page.split())
-    linked = set(re.findall(r"\(\.\./examples/notes/(\w+\.py)\)", text))
+    linked = set(re.findall(r"\(\.\./tests/lab/notes/scripts/(\w+\.py)\)", text))
     assert linked == {script.name for script in SCRIPTS}

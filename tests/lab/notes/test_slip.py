@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from motionlang.kernel.planners import hold, plan
-from motionlang.lab.notes.slip import Slip, check_profile, check_trace
+from tests.lab.notes.vendor.slip import Slip, check_profile, check_trace
 
 # A sine ramp to 5 at 10 takes (π/2) 5/10 s: its acceleration is 10 sin(4 t), above 5 where sin(4 t) exceeds 0.5.
 SINE = plan("sinusoidal", 0.0, 10.0, 5.0, 10.0, 10.0)

@@ -7,8 +7,8 @@ from math import cos, pi, sin
 
 import pytest
 
-from motionlang.lab.notes import tn1069
 from tests.kernel.planners.verify import verify
+from tests.lab.notes.vendor import tn1069
 
 EXACT = {
     "T_A": (400, 628.3185307, 444.4444444, 800),

@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.kernel.planners import plan
 from motionlang.kernel.servo import Loop, Motor
-from motionlang.lab.notes.tn1069_servo import SHAPES, accel_for, compare, peak_jerk
+from motionlang.lab.servo.tn1069 import SHAPES, accel_for, compare, peak_jerk
 
 LOOP, MOTOR = Loop(0.014, 9e-5, 0.6), Motor(load_inertia=4e-5)
 EXAMPLE = (40_000.0, 40_000.0, 100_000.0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from motionlang.kernel.planners import Profile, plan
-from motionlang.lab.notes.dissect import (
+from tests.lab.notes.vendor.dissect import (
     FRICTION,
     GRAVITY_FT,
     SPEED_FT_MIN,

@@ -13,7 +13,7 @@ from math import asin, pi
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.planners import Piece, Profile, acceleration_in, check_positive, crest_points
-from motionlang.lab.notes.dissect import slip_acceleration
+from tests.lab.notes.vendor.dissect import slip_acceleration
 
 if TYPE_CHECKING:
     from motionlang.kernel.servo import ServoTrace
@@ -75,7 +75,7 @@ def check_profile(profile: Profile, friction: float, gravity: float, scale: floa
 def check_trace(trace: ServoTrace, friction: float, gravity: float, scale: float = 1.0) -> Slip:
     """Check the motion of a simulated motor, and simulate the slip of its load.
 
-    >>> from motionlang.lab.notes.dac_override import demonstrate
+    >>> from tests.lab.notes.vendor.dac_override import demonstrate
     >>> free, held, *_ = demonstrate()
     >>> [check_trace(run.trace, 0.1, 32.2, 60_000.0).slips for run in (free, held)]
     [True, False]

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import exp
 
-from motionlang.lab.notes.dissect import divided
+from tests.lab.notes.vendor.dissect import divided
 
 NOTES = (
     "The deceleration test lost its second half; here it is: past the middle while still accelerating, or no further "

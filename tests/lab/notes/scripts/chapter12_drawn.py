@@ -1,4 +1,4 @@
-"""Draw a figure of "Dissecting a Move Profile": `python examples/notes/chapter12_drawn.py 12.6 12-6.svg`."""
+"""Draw a figure of "Dissecting a Move Profile": `python -m tests.lab.notes.scripts.chapter12_drawn 12.6 12-6.svg`."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import FancyBboxPatch, Rectangle
 
 from motionlang.kernel.planners import Profile
-from motionlang.lab.notes import dissect
-from motionlang.lab.notes.figures import (
+from tests.lab.notes.vendor import dissect
+from tests.lab.notes.vendor.figures import (
     BLOCKS,
     CHANGES,
     LIMIT,

@@ -5,8 +5,9 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING
 
-from motionlang.lab.notes import dissect
-from motionlang.lab.notes.figures import (
+from motionlang.views.table import filled
+from tests.lab.notes.vendor import dissect
+from tests.lab.notes.vendor.figures import (
     BLOCKS,
     CHANGES,
     DISTANCE,
@@ -18,7 +19,6 @@ from motionlang.lab.notes.figures import (
     forces,
     s_curve,
 )
-from motionlang.views.table import filled
 
 if TYPE_CHECKING:
     from motionlang.views.table import Cells

@@ -9,10 +9,10 @@ import sys
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.tools import count_of
-from motionlang.lab.notes.dac_override import OverrideRun, demonstrate
-from motionlang.lab.notes.dissect import dac_timing
-from motionlang.lab.notes.figures import LIMIT, SPEED
 from motionlang.views.table import filled
+from tests.lab.notes.vendor.dac_override import OverrideRun, demonstrate
+from tests.lab.notes.vendor.dissect import dac_timing
+from tests.lab.notes.vendor.figures import LIMIT, SPEED
 
 if TYPE_CHECKING:
     from motionlang.views.table import Cells

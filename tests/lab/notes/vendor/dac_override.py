@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.planners import hold, plan
 from motionlang.kernel.servo import FULL_SCALE, Loop, Override, Track, VelocityDrive, simulate
-from motionlang.lab.notes.dissect import FRICTION, GRAVITY_FT, SPEED_FT_MIN, dac_timing, slip_acceleration
-from motionlang.lab.notes.slip import check_trace
+from tests.lab.notes.vendor.dissect import FRICTION, GRAVITY_FT, SPEED_FT_MIN, dac_timing, slip_acceleration
+from tests.lab.notes.vendor.slip import check_trace
 
 if TYPE_CHECKING:
     from motionlang.kernel.servo import ServoTrace

@@ -4,7 +4,7 @@ The first figures are the example of chapter 12, a cube of 5 lb. The move has a 
 """
 
 from motionlang.kernel.planners import plan
-from motionlang.lab.notes.dissect import (
+from tests.lab.notes.vendor.dissect import (
     FRICTION,
     GRAVITY_FT,
     SPEED_FT_MIN,
@@ -13,7 +13,7 @@ from motionlang.lab.notes.dissect import (
     friction_force,
     slip_acceleration,
 )
-from motionlang.lab.notes.slip import check_profile
+from tests.lab.notes.vendor.slip import check_profile
 
 SHAPES = {
     "trapezoid": "trapezoidal",

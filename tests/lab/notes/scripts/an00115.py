@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from motionlang import plan
-from motionlang.lab.notes.an00115 import FORMULAS, formulas
+from motionlang.commands.plan.an00115 import FORMULAS, formulas
 
 MOVES: dict[str, tuple[str | None, dict[str, float]]] = {
     "the first example": (None, {"distance": 12.0, "speed": 8.0, "accel": 16.0, "decel": 16.0}),

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import sys
 
-from motionlang.lab.notes.chapter12 import EXAMPLE, ListingRun, run_listing
 from motionlang.views.table import filled
+from tests.lab.notes.vendor.chapter12 import EXAMPLE, ListingRun, run_listing
 
 
 def tidy(value: float) -> float:

@@ -9,8 +9,8 @@ import sys
 import textwrap
 from operator import itemgetter
 
-from motionlang.lab.notes.tn1069 import ERRATA, NOTE, Demand, comparison, profiles
 from motionlang.views.table import Column, Table
+from tests.lab.notes.vendor.tn1069 import ERRATA, NOTE, Demand, comparison, profiles
 
 MEANINGS = {
     "T_A": "acceleration time",

@@ -1,0 +1,1 @@
+"""Scripts that print and draw the figures of the notes."""
