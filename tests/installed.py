@@ -42,8 +42,6 @@ profile move.mnt
 trace move.mnt move.csv --rate 100
 trace move.mnt move.npz
 trace move.mnt move.parquet [parquet]
-trace move.mnt move.mcap [mcap]
-trace move.mnt move.vcd [vcd]
 plot move.mnt move.html
 plot move.mnt move.png [plot]
 check move.mnt

@@ -32,8 +32,6 @@ HOMES: dict[str, tuple[str, ...]] = {
     "pyarrow": ("commands/recording", "commands/trace", "commands/sweep"),
     "polars": ("kernel/rows.py",),
     "pandas": ("kernel/rows.py",),
-    "mcap": ("commands/recording", "commands/trace"),
-    "vcd": ("commands/trace",),
     "can": ("lab/pvt", "hosts"),
     "canopen": ("lab/pvt", "hosts"),
     "pygments": ("views",),

@@ -29,7 +29,7 @@ from motionlang.kernel.files import is_plain, same_file, unwritable
 from motionlang.kernel.tools import nearest, need, shown
 
 # The optional library that writes a format.
-WRITERS = {".png": "matplotlib", ".parquet": "pyarrow", ".mcap": "mcap", ".vcd": "vcd"}
+WRITERS = {".png": "matplotlib", ".parquet": "pyarrow"}
 
 
 def option(

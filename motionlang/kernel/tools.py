@@ -140,8 +140,6 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 LIBRARIES = {
     "matplotlib": ("plot", "matplotlib"),
     "pyarrow": ("parquet", "pyarrow"),
-    "mcap": ("mcap", "mcap"),
-    "vcd": ("vcd", "pyvcd"),
     "can": ("can", "python-can"),
     "canopen": ("can", "canopen"),
     "msgpack": ("can", "msgpack"),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -12,7 +11,6 @@ import pytest
 from motionlang.kernel import Source, run
 from motionlang.kernel.report import build
 from tests.cli.programs import Cell
-from tests.dumps import read
 from tests.test_docs import ROOT
 
 TRAVEL: dict[str, object] = {"axis.0.travel": [-100.0, 100.0]}
@@ -174,14 +172,6 @@ def test_every_kind_has_its_row_on_the_page() -> None:
     schema = json.loads((ROOT / "docs" / "report.schema.json").read_text(encoding="utf-8"))
     for kind in schema["$defs"]["event"]["properties"]["kind"]["enum"]:
         assert f"`{kind}`" in page, kind
-
-
-def test_a_wave_viewer_shows_them_as_text(cell: Cell) -> None:
-    cell.write("a.mnt", CASES["a stop in no time"][0])
-    assert cell("trace", "a.mnt", "a.vcd", "--rate", "10").status == 0
-    found, _ = read(Path("a.vcd"))
-    kind, _, texts = found["events.event"]
-    assert (kind, texts[-1]) == ("string", "cancel_axis0_50,velocity_jump_axis0_50")
 
 
 @pytest.mark.slow

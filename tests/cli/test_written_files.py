@@ -20,7 +20,9 @@ TWICE = "both write"
         ("run a.mnt -o a.mnt", USED),
         ("run a.mnt -o ./a.mnt", USED),
         ("run a.mnt -o link.mnt", USED),
+        ("run a.mnt -o soft.mnt", USED),
         ("run a.mnt --nv a.mnt", USED),
+        ("trace a.mnt nv.csv --nv nv.csv", TWICE),
         ("run a.mnt --machine m.toml -o m.toml", USED),
         ("compare a.mnt rec.csv -o rec.csv", USED),
         ("diff a.mnt b.mnt -o b.mnt", USED),
@@ -37,6 +39,7 @@ def test_a_file_that_is_in_use_is_not_written(command: str, why: str, cell: Cell
     for name in ("a.mnt", "b.mnt", "rec.csv", "m.toml", "worlds/one.toml"):
         cell.write(name, STROKE)
     os.link(cell.folder / "a.mnt", cell.folder / "link.mnt")
+    (cell.folder / "soft.mnt").symlink_to("a.mnt")
     before = {path: path.read_bytes() for path in cell.folder.rglob("*") if path.is_file()}
     ran = cell(*command.split())
     assert (ran.status, ran.out) == (2, "")

@@ -44,7 +44,6 @@ from motionlang.ide.editor.signature import signature
 from motionlang.ide.editor.tokens import tokens
 from motionlang.kernel import Source, dialect, read_machine, run
 from tests.commits import unpacked
-from tests.dumps import read
 from tests.generated import handlers, sessions, tasks
 from tests.generated.command_lines import command_line
 from tests.generated.damage import damaged
@@ -272,17 +271,9 @@ def _written(printed: str, path: str) -> str:
 
 
 def _changes(program: Generated) -> str:
-    """Return the output of a run and what a wave viewer shows of its value change dump."""
-    printed = _said("trace", program, "a.vcd")
-    if not Path("a.vcd").exists():
-        return printed + "no file\n"
-    variables, end = read(Path("a.vcd"))
-    lines = [
-        f"{name} {kind} {time} {value}\n"
-        for name, (kind, times, values) in sorted(variables.items())
-        for time, value in zip(times, values, strict=True)
-    ]
-    return printed + "".join(lines) + f"end {end}\n"
+    """Return the output of a run, and the levels of its channels."""
+    options = ("--rate", "25", "--columns", "position", "--channels")
+    return _written(_said("trace", program, "a.csv", *options), "a.csv")
 
 
 def _traced(program: Generated) -> str:

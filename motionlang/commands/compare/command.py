@@ -48,9 +48,7 @@ examples:
   motionlang compare monday.csv friday.csv    two recordings of one machine
 """
     file: str = argument("FILE", "the program, or an older recording")
-    recording: str = argument(
-        "REC", "the recording, as columns of text, Parquet or MCAP; - reads standard input"
-    )
+    recording: str = argument("REC", "the recording, as columns of text or Parquet; - reads standard input")
     tolerance: list[tuple[str, float]] = option(
         "WHAT=SIZE",
         "the largest residual allowed: position=0.05uu for every axis, position.0=0.05uu for one; may be repeated",

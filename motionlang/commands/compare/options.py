@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # which needs numpy
     from motionlang.commands.recording import Mapped, RecordedTable
 
 # The extensions of a recording.
-RECORDED = (".csv", ".tsv", ".dat", ".parquet", ".mcap")
+RECORDED = (".csv", ".tsv", ".dat", ".parquet")
 
 
 def mapped(text: str) -> Mapped:

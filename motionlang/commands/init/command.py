@@ -97,7 +97,7 @@ examples:
     )
     recording: str | None = option(
         "REC",
-        "a recording of the machine, as CSV, Parquet or MCAP: its inputs, outputs and positions replace guesses by "
+        "a recording of the machine, as CSV or Parquet: its inputs, outputs and positions replace guesses by "
         "measured rules",
     )
     map: list[Mapped] = option(

@@ -1,6 +1,6 @@
 """A recording of a real machine, read as machines write it: a file becomes signals over seconds, and a sentence.
 
-table.py    the file: text, Parquet or MCAP as columns of text, with names and units
+table.py    the file: text or Parquet as columns of text, with names and units
 values.py   a cell of text as a number or a level
 clock.py    the column of times as seconds: units, dates, times of day
 order.py    the rows in order of time: newest first, swapped, doubled, time that starts again, coarse clocks

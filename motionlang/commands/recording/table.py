@@ -4,19 +4,16 @@ A separator is detected from the lines (tab, semicolon, bar, comma, blanks), or 
 spreadsheet. Rows of names and of units may come first, preceded by any number of other lines. Rows of numbers begin
 where at least half of the cells are values.
 
-MCAP has a topic for each axis and channel: there is a row for each message of the topic that has the most, with the
-last values of the others. What is whole of a Parquet or MCAP file that is damaged is read.
+The groups of rows of a damaged Parquet file that are whole are read.
 """
 
 from __future__ import annotations
 
 import csv
-import json
 import os
 import re
-from collections import defaultdict
-from collections.abc import Iterator, Sequence
-from math import isnan, nan
+from collections.abc import Sequence
+from math import isnan
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -113,8 +110,6 @@ def read_file(path: str) -> RecordedTable:
     name = os.path.basename(path)
     if suffix == ".parquet":
         return _from_parquet(path, name)
-    if suffix == ".mcap":
-        return _from_mcap(path, name)
     return table_of(Source.read(path))
 
 
@@ -274,59 +269,6 @@ def _texts(column: Any) -> list[str]:
         seconds = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}[column.type.unit]
         return ["" if each is None else repr(each * seconds) for each in column.cast("int64").to_pylist()]
     return ["" if each is None else str(each) for each in column.to_pylist()]
-
-
-def _from_mcap(path: str, name: str) -> RecordedTable:
-    """Return the numbers of the JSON messages of an MCAP file; other messages are left out."""
-    need("an MCAP recording", "mcap")
-
-    topics: dict[str, list[tuple[int, dict[str, object]]]] = defaultdict(list)
-    remarks: list[Diagnostic] = []
-    with open(path, "rb") as file:
-        # The library raises many types for bytes that are damaged, some of them no errors of its own.
-        try:
-            for topic, time, data in _messages(file):
-                found = json.loads(data)
-                if isinstance(found, dict):
-                    topics[topic].append((time, found))
-        except Exception:
-            if not topics:
-                raise ProgramError.of("recording", f"{name} is not an MCAP file") from None
-            count = sum(len(each) for each in topics.values())
-            remarks.append(warning(f"the file is cut off, or damaged, after {count_of(count, 'message')}"))
-    if not topics:
-        raise ProgramError.of("recording", f"{name} has no messages in JSON", hint="save it as CSV")
-    for messages in topics.values():
-        messages.sort(key=lambda each: each[0])
-    rows = np.array([time for time, _ in max(topics.values(), key=len)])
-    columns = {"time_ns": [str(time) for time in rows.tolist()]}
-    for topic, messages in topics.items():
-        at = (np.searchsorted([time for time, _ in messages], rows, "right") - 1).tolist()
-        last = topic.rpartition("/")[2]
-        for field, first in messages[0][1].items():
-            if isinstance(first, (int, float)):
-                texts = [_text(each.get(field)) for _, each in messages]
-                columns[last if field == "value" else f"{last}_{field}"] = [
-                    texts[k] if k >= 0 else "" for k in at
-                ]
-    return _whole(name, columns, {"time_ns": "ns"}, remarks)
-
-
-def _messages(file: Any) -> Iterator[tuple[str, int, bytes]]:
-    """Yield topic, time in ns and data of the messages in JSON, from the first byte on."""
-    from mcap.records import Channel, Message
-    from mcap.stream_reader import StreamReader
-
-    names: dict[int, str] = {}
-    for record in StreamReader(file).records:
-        if isinstance(record, Channel) and record.message_encoding == "json":
-            names[record.id] = record.topic
-        elif isinstance(record, Message) and record.channel_id in names:
-            yield names[record.channel_id], record.log_time, record.data
-
-
-def _text(value: object) -> str:
-    return repr(float(value)) if isinstance(value, (int, float)) else repr(nan)
 
 
 def _whole(

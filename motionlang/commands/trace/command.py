@@ -14,7 +14,7 @@ from motionlang.kernel.tools import need
 from motionlang.views.lanes import ChannelLane, lanes
 from motionlang.views.progress import Progress
 
-TRACES = (".csv", ".npz", ".parquet", ".vcd", ".mcap")
+TRACES = (".csv", ".npz", ".parquet")
 RATE = 1000.0
 # TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.
 TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
@@ -43,9 +43,7 @@ examples:
         "the columns in addition to time, for every axis or for one, such as position,velocity.0",
         read=columns,
     )
-    channels: bool = flag(
-        "add a column for each input and output, such as in3, out9 and ain0; .vcd and .mcap always have them"
-    )
+    channels: bool = flag("add a column for each input and output, such as in3, out9 and ain0")
     points: float | None = option(
         "HZ",
         "trace the trajectory points of the controller, joined by straight lines, as the servo loop receives them, "

@@ -15,8 +15,6 @@ from zipfile import ZipFile, ZipInfo
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.trace.mcap import write_mcap
-from motionlang.commands.trace.vcd import write_vcd
 from motionlang.kernel import Trace
 from motionlang.kernel.files import replacing
 from motionlang.kernel.tools import need
@@ -37,15 +35,11 @@ def write_trace(
 ) -> int:
     """Sample `trace` at `rate` (Hz) into `path`, and `lanes` as further columns; return the number of rows.
 
-    The extension of `path` selects the format; .vcd and .mcap have all channels with their exact times anyway.
-    `progress` is called with the completed fraction. Raises OSError, and leaves no incomplete file behind.
+    The extension of `path` selects the format. `progress` is called with the completed fraction. Raises OSError, and
+    leaves no incomplete file behind.
     """
     with replacing(path) as file:
-        extension = os.path.splitext(path)[1].lower()
-        if extension in _WITH_CHANNELS:
-            _WITH_CHANNELS[extension](trace, file, rate, progress)
-        else:
-            _WRITERS[extension](trace, file, rate, progress, lanes)
+        _WRITERS[os.path.splitext(path)[1].lower()](trace, file, rate, progress, lanes)
     return trace.rows(rate)
 
 
@@ -134,5 +128,3 @@ def _write_parquet(
 
 
 _WRITERS = {".csv": _write_csv, ".npz": _write_npz, ".parquet": _write_parquet}
-# The formats that have each channel by itself.
-_WITH_CHANNELS = {".mcap": write_mcap, ".vcd": write_vcd}

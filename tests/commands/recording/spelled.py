@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
@@ -173,7 +172,7 @@ def write(spelling: Spelling, folder: Path, rows: Sequence[Moment] | None = None
         return path
     head, *lines = text.splitlines()
     columns = dict(zip(head.split(","), zip(*(row.split(",") for row in lines), strict=True), strict=True))
-    (write_parquet if form == "parquet" else write_mcap)(columns, path)
+    write_parquet(columns, path)
     return path
 
 
@@ -191,27 +190,6 @@ def write_parquet(columns: dict[str, tuple[str, ...]], path: Path) -> None:
         else:
             made[name] = pa.array([float(cell) for cell in cells])
     write_table(pa.table(made), path, row_group_size=100)
-
-
-def write_mcap(columns: dict[str, tuple[str, ...]], path: Path) -> None:
-    """Write a topic for each column behind the first, which has the times."""
-    from mcap.writer import Writer
-
-    (_, times), *others = columns.items()
-    with path.open("wb") as file:
-        writer = Writer(file, chunk_size=1000)
-        writer.start()
-        channels = {
-            name: writer.register_channel(
-                f"/{name}", "json", writer.register_schema(name, "jsonschema", b"{}")
-            )
-            for name, _ in others
-        }
-        for k, time in enumerate(times):
-            at = round(1e9 * float(time))
-            for name, cells in others:
-                writer.add_message(channels[name], at, json.dumps({"value": float(cells[k])}).encode(), at)
-        writer.finish()  # type: ignore[no-untyped-call]
 
 
 class Answer(NamedTuple):

@@ -127,17 +127,6 @@ def test_a_row_only_where_something_changes(sparse: bool) -> None:
     assert measured.outputs[1].changes[0].time == next(each.t for each in moments() if each.b)
 
 
-@pytest.mark.parametrize(("share", "rows"), [(0.3, 140), (0.6, 281), (0.999, 395)])
-def test_an_mcap_file_that_is_cut_off(share: float, rows: int, tmp_path: Path) -> None:
-    lines = ["time_s,position.0,in1,out1,out2", "{t:.3f},{x:.4f},{a},{b},{c}"]
-    path = write(Spelling("", lines, {"format": "mcap"}), tmp_path)
-    path.write_bytes(path.read_bytes()[: int(share * path.stat().st_size)])
-    found = read_compared(read_file(str(path)), [])
-    assert found.sentence.startswith(f"rec.mcap: {rows} of {rows} rows, ")
-    (remark,) = found.remarks
-    assert remark.message.startswith("the file is cut off, or damaged, after ")
-
-
 def test_damaged_rows_of_a_parquet_file(tmp_path: Path) -> None:
     """Groups of rows are read one by one; without its end the file has no columns."""
     lines = ["time,position.0,in1,out1,out2", "{d:%Y-%m-%d %H:%M:%S.%f},{x:.4f},{a},{b},{c}"]
@@ -179,7 +168,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     level=st.sampled_from(["", ":w", ":o", ":v", ":m"]),
     order=st.sampled_from(["", "newest", "swapped", "doubled", "shuffled"]),
     encoding=st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "latin-1"]),
-    form=st.sampled_from(["csv", "csv", "csv", "parquet", "mcap"]),
+    form=st.sampled_from(["csv", "csv", "csv", "parquet"]),
 )
 def test_no_spelling_changes_an_answer(
     folder: Path, name: str, comma: bool, separator: str, level: str, order: str, encoding: str, form: str

@@ -212,7 +212,7 @@ def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
             "trace OUT.csv --rate nan",
             "argument --rate: 'nan' is not a rate above 0 and up to 10,000,000 samples per second",
         ),
-        ("trace OUT.txt", "OUT writes .csv, .npz, .parquet, .vcd and .mcap, not .txt files"),
+        ("trace OUT.txt", "OUT writes .csv, .npz and .parquet, not .txt files"),
         ("plot OUT.html --from 1 --to 1", "--to must be after --from"),
         ("plot OUT.html --path 0", "argument --path: '0' is not a path: give two or three axes, such as 0,1"),
         ("plot OUT", "OUT writes .png, .svg and .html, so the file needs one of these extensions"),
@@ -324,27 +324,6 @@ def test_every_command_is_listed_and_explained(cell: Cell, command: str) -> None
     assert re.search(rf"\n  {command}\s", cell("--help").out)
     shown = cell(command, "--help").out
     assert shown.startswith(f"usage: motionlang {command} ")
-
-
-@pytest.mark.parametrize(
-    ("arguments", "lost", "what"),
-    [
-        (("trace", "x.csv", "./x.csv", "--lang", "mint"), "x.csv", "the program"),
-        (("trace", "a.mnt", "m.csv", "--machine", "m.csv"), "m.csv", "the machine file"),
-        (("trace", "a.mnt", "nv.csv", "--nv", "nv.csv"), "nv.csv", "the nv data"),
-        (("plot", "x.svg", "link.svg", "--lang", "mint"), "x.svg", "the program"),
-    ],
-)
-def test_what_a_run_reads_is_not_written_over(
-    cell: Cell, arguments: tuple[str, ...], lost: str, what: str
-) -> None:
-    cell.write("a.mnt", "PRINT 1\n")
-    file = cell.write(lost, "PRINT 1\n" if what == "the program" else "")
-    (cell.folder / "link.svg").symlink_to("x.svg")
-    before = file.read_text()
-    ran = cell(*arguments)
-    assert (ran.status, ran.out, file.read_text()) == (1, "", before)
-    assert f"{arguments[2]} is {what} of this run" in ran.err
 
 
 @pytest.mark.parametrize("value", ["9" * 5000, "[" * 3000, "0x" + "f" * 5000])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +11,6 @@ import pytest
 
 from motionlang import run
 from tests.cli.programs import Cell
-from tests.dumps import read
 
 # Three axes: two shapes, a stop, a return, and a jog that goes on after the end.
 PICK = """\
@@ -46,17 +44,6 @@ controller.instruction_time = 1e-9
 input = [{channel = 12, at = 0.0}, {channel = 3, at = 0.25}]
 analogue = [{channel = 0, value = 12.5, at = 0.6}]
 """
-# The kind, the times (ns) and the values of every variable of this run, in 2 rows per second.
-VARIABLES = {
-    "axis0.position_uu": ("real", [0, 500_000_000, 1_000_000_000, 1_500_000_000], [0.0, 1.0, 6.0, 10.0]),
-    # Velocity is repeated before it changes.
-    "axis0.velocity_uu_per_s": (
-        "real",
-        [0, 500_000_000, 1_000_000_000, 1_500_000_000],
-        [0.0, 10.0, 10.0, 0.0],
-    ),
-    "axis0.acceleration_uu_per_s2": ("real", [0], [0.0]),
-}
 
 
 @pytest.fixture
@@ -111,90 +98,14 @@ def test_parquet_has_the_samples_and_their_units(programs: Cell) -> None:
         np.testing.assert_array_equal(table[column.name].to_numpy(), values)
 
 
-@pytest.mark.parametrize("suffix", ["csv", "npz", "vcd", "parquet", "mcap"])
+@pytest.mark.parametrize("suffix", ["csv", "npz", "parquet"])
 def test_the_same_run_gives_the_same_bytes(suffix: str, programs: Cell) -> None:
-    if suffix in ("parquet", "mcap"):
-        pytest.importorskip({"parquet": "pyarrow"}.get(suffix, suffix))
+    if suffix == "parquet":
+        pytest.importorskip("pyarrow")
     one, two = (
         traced(programs, "pick.mnt", f"{name}.{suffix}", 50.0)[0].read_bytes() for name in ("one", "two")
     )
     assert one == two
-
-
-def test_a_whole_dump(programs: Cell) -> None:
-    found, end = read(traced(programs, "switched.mnt", "x.vcd", 2.0)[0])
-    assert end == 1_500_000_012
-    axis = {name: each for name, each in found.items() if name.startswith("axis")}
-    assert {name: (kind, times) for name, (kind, times, _) in axis.items()} == {
-        name: (kind, times) for name, (kind, times, _) in VARIABLES.items()
-    }
-    for name, (_, _, values) in VARIABLES.items():
-        assert axis[name][2] == pytest.approx(values, abs=1e-5)
-    channels = {name: each[1:] for name, each in found.items() if name not in VARIABLES}
-    assert channels == {
-        "inputs.in3": ([0, 250_000_000], [0, 1]),
-        "inputs.in12": ([0], [1]),
-        "outputs.out1": ([0, 150_000_005, 600_000_010], [0, 1, 0]),
-        "analogue_inputs.ain0": ([0, 600_000_000], [0.0, 12.5]),
-    }
-
-
-@pytest.mark.parametrize("name", ["ballscrew.mcl", "pick.mnt", "switched.mnt"])
-def test_another_program_reads_the_samples_in_a_dump(name: str, programs: Cell) -> None:
-    path, trace = traced(programs, name, "x.vcd", 1000.0)
-    found, end = read(path)
-    assert end == round(trace.end * 1e9)
-    samples = trace.sample(1000.0)
-    grid = np.rint(samples.time * 1e9).astype(np.int64)
-    for column, values in zip(samples.columns[1:], samples.data[1:], strict=True):
-        _, times, states = found[column.name.replace("_", ".", 1)]
-        shown = np.array(states)[np.searchsorted(times, grid, "right") - 1]
-        np.testing.assert_allclose(shown, values, rtol=0, atol=1e-6)
-        # A viewer that draws straight lines shows the same: no slope during standstill.
-        np.testing.assert_allclose(np.interp(grid, times, states), values, rtol=0, atol=1e-6)
-
-
-def messages(path: Path) -> dict[str, list[tuple[int, dict[str, Any]]]]:
-    """Return times (ns) and contents of all messages of an MCAP file, by topic."""
-    reader = pytest.importorskip("mcap.reader")
-    found: dict[str, list[tuple[int, dict[str, Any]]]] = {}
-    last = 0
-    with path.open("rb") as file:
-        for schema, channel, message in reader.make_reader(file).iter_messages():
-            assert (schema.encoding, channel.message_encoding) == ("jsonschema", "json")
-            assert message.log_time >= last
-            last = message.log_time
-            found.setdefault(channel.topic, []).append((message.log_time, json.loads(message.data)))
-    return found
-
-
-def test_mcap_has_every_sample_and_the_program(programs: Cell) -> None:
-    path, trace = traced(programs, "pick.mnt", "x.mcap", 100.0)
-    found, samples = messages(path), trace.sample(100.0)
-    for axis in trace.axes:
-        times, rows = zip(*found[f"/axis{axis}"], strict=True)
-        assert list(times) == np.rint(samples.time * 1e9).astype(np.int64).tolist()
-        for quantity, name in (("position", "position_uu"), ("velocity", "velocity_uu_per_s")):
-            assert [row[name] for row in rows] == pytest.approx(samples.get(axis, quantity).tolist())
-    (_, first), *others = found["/program"]
-    assert first == {"axis": 0, "line": 4, "command": "MOVER", "state": "accel"}
-    assert {row["state"] for _, row in others} >= {"slew", "decel", "end"}
-
-
-def test_mcap_has_channels_and_events(programs: Cell) -> None:
-    found = messages(traced(programs, "switched.mnt", "x.mcap", 10.0)[0])
-    assert found["/outputs/out1"] == [
-        (0, {"value": 0.0}),
-        (150000005, {"value": 1.0}),
-        (600000010, {"value": 0.0}),
-    ]
-    programs.write("jump.mnt", "SPEED(0) = 50 : JOG(0) = 50\nWAIT(1000)\nCANCEL(0)\n")
-    found = messages(traced(programs, "jump.mnt", "x.mcap", 10.0)[0])
-    assert [(row["kind"], row["axis"], row["value"]) for _, row in found["/events"]][-1] == (
-        "velocity jump",
-        0,
-        pytest.approx(50.0),
-    )
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".npz", ".parquet"])
