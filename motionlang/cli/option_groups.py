@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from html import escape
 from io import BytesIO, TextIOWrapper
 from typing import Any, BinaryIO, ClassVar, cast
 
@@ -35,11 +36,11 @@ from motionlang.kernel import (
 from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import canonical
 from motionlang.kernel.tools import clipped, shown
+from motionlang.views.documents import page
 from motionlang.views.figure import Figure
 from motionlang.views.figure_files import write_figure
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, plain
-from motionlang.views.text_pages import PAGES, Page
 
 # What each form of output is, for help.
 FORMS = {
@@ -51,6 +52,26 @@ FORMS = {
     "junit": "JUnit XML",
     "github": "GitHub workflow commands, which annotate the lines",
 }
+
+
+# Returns the content of a file from a text and the name of the file.
+Page = Callable[[str, str], str]
+
+
+def _html(text: str, name: str) -> str:
+    font = "DejaVu Sans Mono, Consolas, Menlo, monospace"
+    return page(name, f"<pre>{escape(text)}</pre>", f"body{{margin:2rem}}pre{{font:14px/1.3 {font}}}")
+
+
+def _markdown(text: str, name: str) -> str:
+    fence = "```"
+    while fence in text:
+        fence += "`"
+    return f"{fence}text\n{text.rstrip()}\n{fence}\n"
+
+
+# The extensions of files that have the text of a command as a page, or as a block of Markdown.
+PAGES: dict[str, Page] = {".html": _html, ".md": _markdown}
 
 
 def forms(*names: str, what: str = "the form") -> Any:
@@ -168,7 +189,7 @@ class OutputOptions(Command):
     quiet: bool = flag("same as --format none", short="q")
     output: str | None = option(
         "FILE",
-        "write to FILE instead of standard output; .json, .csv, .html, .md and .svg choose the form",
+        "write to FILE instead of standard output; .json, .csv, .html and .md choose the form",
         short="o",
         writes=True,
     )

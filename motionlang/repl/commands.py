@@ -11,13 +11,7 @@ from os.path import expanduser
 from textwrap import wrap
 from typing import TYPE_CHECKING, TypeVar
 
-from motionlang.commands.cover import covered
-from motionlang.commands.cover import view as coverage
 from motionlang.commands.help.view import listing, page
-from motionlang.commands.improve import NotPossible, improver_of
-from motionlang.commands.improve.view import improvement_lines
-from motionlang.commands.map.program_map import mapped
-from motionlang.commands.map.view.text import render as render_map
 from motionlang.kernel import (
     ONE_SHIFT,
     Diagnostic,
@@ -38,6 +32,7 @@ from motionlang.views.figure_files import write_figure
 from motionlang.views.report import render
 
 if TYPE_CHECKING:
+    from motionlang.commands.improve import Improvement
     from motionlang.repl.session import Session
 
 Obey = Callable[["Session", str], None]
@@ -284,8 +279,6 @@ def _of_file(session: Session, path: str, work: Callable[[str], Found]) -> Found
         return work(expanduser(path))
     except OSError as error:
         _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
-    except NotPossible as error:
-        _wrong(session, error.code, error.message, error.hint)
     except ValueError as error:
         _wrong(session, "language", str(error))
     except ProgramError as error:
@@ -293,14 +286,30 @@ def _of_file(session: Session, path: str, work: Callable[[str], Found]) -> Found
     return None
 
 
+# What plays programs is imported when it is asked for: it is a fifth of the package.
+
+
 def _improve(session: Session, path: str) -> None:
-    found = _of_file(session, path, lambda file: improver_of(file).improved())
+    from motionlang.commands.improve import NotPossible, improver_of
+    from motionlang.commands.improve.view import improvement_lines
+
+    def improved(file: str) -> Improvement | None:
+        try:
+            return improver_of(file).improved()
+        except NotPossible as error:
+            _wrong(session, error.code, error.message, error.hint)
+            return None
+
+    found = _of_file(session, path, improved)
     if found is not None:
         lines = improvement_lines(found, path, width=session.width, colour=session.colour)
         session.write("\n".join(lines) + "\n")
 
 
 def _cover(session: Session, path: str) -> None:
+    from motionlang.commands.cover import covered
+    from motionlang.commands.cover import view as coverage
+
     found = _of_file(session, path, covered)
     if found is None:
         return
@@ -310,6 +319,9 @@ def _cover(session: Session, path: str) -> None:
 
 
 def _map(session: Session, path: str) -> None:
+    from motionlang.commands.map.program_map import mapped
+    from motionlang.commands.map.view.text import render as render_map
+
     found = _of_file(session, path, mapped)
     if found is not None:
         session.write(render_map(found, width=session.width, colour=session.colour))
