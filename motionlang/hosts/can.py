@@ -107,7 +107,9 @@ class DriveServer:
         now = round(self.now * 1e6)
         for node in self.nodes:
             self._guard(partial(_advance, node, now, self._updated == wall))
-        if message is not None and _is_for_drives(message):
+        if message is not None and message.arbitration_id == 0 and len(message.data) < 2:
+            self._report(f"a frame was dropped: network management needs 2 bytes, not {len(message.data)}")
+        elif message is not None and _is_for_drives(message):
             self.frames += 1
             self._guard(lambda: self.network.notify(message.arbitration_id, message.data, message.timestamp))
             self._news = True

@@ -7,6 +7,7 @@ words.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -28,6 +29,7 @@ from motionlang.lab.pvt.drive.pdo import (
     SEND_ID,
     SENT,
     STATUS_PERIOD,
+    SYNCHRONOUS,
     Address,
     SentPdo,
     entry,
@@ -62,6 +64,10 @@ GENERIC, COMMUNICATION = 0x01, 0x10
 SDO_COMMAND, BLOCK_UPLOAD, BLOCK_STEP, SDO_ABORT = 0xE0, 0xA0, 0x03, 0x80
 INVALID_COMMAND = 0x05040001
 NOT_MAPPABLE, TOO_LONG, VALUE_RANGE, NO_SUBINDEX = 0x06040041, 0x06040042, 0x06090030, 0x06090011
+# The value cannot be written in the present state.
+NOT_NOW = 0x08000022
+# An expedited download, the mask of its command, and the bits of its size.
+EXPEDITED, EXPEDITED_MASK, WITH_SIZE = 0x22, 0xE3, 0x01
 
 
 def object_dictionary(node_id: int = 0) -> ObjectDictionary:
@@ -114,6 +120,8 @@ class DriveNode(LocalNode):
         self._status_maps: list[tuple[int, list[Address]]] = []
         self._sent: list[SentPdo] = []
         self._receive_ids: list[int] = []
+        # What the synchronous receive PDOs have received since the last SYNC, by identifier.
+        self._received: dict[int, tuple[Sequence[Address], bytes]] = {}
         # The time at which the next heartbeat is due.
         self._heartbeat_at = INFINITY
         # The node whose heartbeat is expected, and the time by which it must come; infinite until the first.
@@ -262,7 +270,18 @@ class DriveNode(LocalNode):
             answer = bytes([SDO_ABORT]) + bytes(data[1:4]) + INVALID_COMMAND.to_bytes(4, "little")
             self.network.send_message(self.sdo.tx_cobid, answer)
             return
-        self.sdo.on_request(can_id, data, timestamp)  # type: ignore[no-untyped-call]
+        self.sdo.on_request(can_id, self._sized(data), timestamp)  # type: ignore[no-untyped-call]
+
+    def _sized(self, request: bytearray) -> bytearray:
+        """Return a request with the size of its object if it is an expedited download that names none."""
+        entry = (
+            BY_ADDRESS.get((int.from_bytes(request[1:3], "little"), request[3]))
+            if len(request) == 8
+            else None
+        )
+        if entry is None or request[0] & EXPEDITED_MASK != EXPEDITED or _size(entry) > 4:
+            return request
+        return bytearray([EXPEDITED | WITH_SIZE | (4 - _size(entry)) << 2]) + request[1:]
 
     def _may_switch(self, request: bytearray) -> bool:
         """True if a block upload may become a normal one: its threshold (pst) is not below the size of the data.
@@ -307,8 +326,8 @@ class DriveNode(LocalNode):
             return
         if 0x1600 <= index < 0x1600 + PDOS or 0x1A00 <= index < 0x1A00 + PDOS:
             self._check_mapping(index, subindex, int.from_bytes(data, "little"))
-        elif 0x1800 <= index < 0x1800 + PDOS and subindex == 2 and data in (b"\xfc", b"\xfd"):
-            raise SdoAbortedError(VALUE_RANGE)  # remote frames are not answered
+        elif 0x1400 <= index < 0x1800 + PDOS:
+            self._check_communication(index, subindex, int.from_bytes(data, "little"))
         super().set_data(index, subindex, data, check_writable=check_writable)
         if (index, subindex) == (CONSUMER_HEARTBEAT, 1):
             value = int.from_bytes(data, "little")
@@ -323,6 +342,15 @@ class DriveNode(LocalNode):
             raise SdoAbortedError(0x06010002)
         if 8 * len(data) != len(variable):
             raise SdoAbortedError(0x06070010)
+
+    def _check_communication(self, index: int, subindex: int, value: int) -> None:
+        """Raise an abort for a type that is not served, and for parameters of a PDO that is in use."""
+        if subindex == 2 and value not in SYNCHRONOUS and value not in EVENT_DRIVEN:
+            raise SdoAbortedError(VALUE_RANGE)
+        used = self._can_id(index)
+        is_moved = subindex == 1 and not value & PDO_INVALID and value & 0x7FF != used
+        if used is not None and (subindex == 3 or is_moved):
+            raise SdoAbortedError(NOT_NOW)
 
     def _check_mapping(self, index: int, subindex: int, value: int) -> None:
         """Raise an abort if a mapping has an unknown object or too many bits."""
@@ -360,24 +388,31 @@ class DriveNode(LocalNode):
         if can_id is None or not addresses:
             return
         length = sum(_size(BY_ADDRESS[address]) for address in addresses)
+        is_synchronous = self._number(communication, 2) in SYNCHRONOUS
 
         def receive(_: int, data: bytearray, __: float) -> None:
             if self.nmt_state != OPERATIONAL:
                 return
             if len(data) < length:
                 self.send_emergency(PDO_LENGTH)
-                return
-            at = 0
-            for index, sub in addresses:
-                size = _size(BY_ADDRESS[index, sub])
-                try:
-                    self.set_data(index, sub, bytes(data[at : at + size]))
-                except SdoAbortedError:
-                    return  # a PDO has no answer; the error is in the drive's log and status
-                at += size
+            elif is_synchronous:
+                self._received[can_id] = addresses, bytes(data)
+            else:
+                self._take(addresses, bytes(data))
 
         self._receive_ids.append(can_id)
         self.network.subscribe(can_id, receive)
+
+    def _take(self, addresses: Sequence[Address], data: bytes) -> None:
+        """Write the objects of a receive PDO."""
+        at = 0
+        for index, sub in addresses:
+            size = _size(BY_ADDRESS[index, sub])
+            try:
+                self.set_data(index, sub, data[at : at + size])
+            except SdoAbortedError:
+                return  # a PDO has no answer; the error is in the drive's log and status
+            at += size
 
     def _map_transmit(self, communication: int, mapping: int, before: dict[int, SentPdo]) -> None:
         can_id, addresses = self._can_id(communication), self._mapped(mapping)
@@ -394,9 +429,12 @@ class DriveNode(LocalNode):
             made.data, made.at = old.data, old.at
         self._sent.append(made)
 
-    def _synchronise(self, _: int, data: bytearray, __: float) -> None:
-        """Send the PDOs that are due at a SYNC."""
+    def _synchronise(self, _: int, __: bytearray, ___: float) -> None:
+        """Let synchronous PDOs act that were received before a SYNC, and send those that are due at it."""
+        received, self._received = self._received, {}
         if self.nmt_state == OPERATIONAL:
+            for addresses, data in received.values():
+                self._take(addresses, data)
             for each in self._sent:
                 content = self._data_of(each)
                 if each.on_sync(content):

@@ -3,7 +3,8 @@
 PDO 1 carries the control word and the status word from power-up on. The others have the mappings of DS402 and are
 disabled, because two PDOs with the control word would overwrite each other's value. A transmit PDO is sent after each
 change of its data (types 254 and 255), no sooner than its inhibit time and at the latest after its event timer. Types
-1 to 240 are sent on every n-th SYNC, and type 0 on the SYNC after a change.
+1 to 240 are sent on every n-th SYNC, and type 0 on the SYNC after a change. A receive PDO of these types acts at the
+next SYNC. Types 241 to 251 are reserved, and those of remote frames, 252 and 253, are not served.
 """
 
 from __future__ import annotations
@@ -59,17 +60,15 @@ class SentPdo:
 
     def is_due(self, data: bytes, now: float) -> bool:
         """True if an event-driven PDO must be sent now."""
-        if self.kind not in EVENT_DRIVEN:
+        if self.kind not in EVENT_DRIVEN or now < self.at + self.inhibit:
             return False
-        if self.timer and now >= self.at + self.timer:
-            return True
-        return data != self.data and now >= self.at + self.inhibit
+        return data != self.data or bool(self.timer and now >= self.at + self.timer)
 
     def next_time(self) -> float:
         """Return the time of the next check if its data do not change, s."""
         if self.kind not in EVENT_DRIVEN or self.at == NEVER:
             return inf
-        return self.at + self.timer if self.timer else inf
+        return self.at + max(self.timer, self.inhibit) if self.timer else inf
 
     def on_sync(self, data: bytes) -> bool:
         """True if it is sent on this SYNC."""

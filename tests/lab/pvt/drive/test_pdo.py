@@ -28,11 +28,12 @@ def test_times_are_in_the_units_of_cia_301() -> None:
         (255, 0.25, 0.0, b"new", 2.125, False),
         (255, 0.25, 0.0, b"new", 2.25, True),
         (254, 0.25, 0.0, b"new", 2.5, True),
-        # Old data are sent only by the timer, which does not wait for the inhibit time.
+        # Old data are sent only by the timer, and no sooner than the inhibit time.
         (255, 0.0, 0.0, b"old", 9.0, False),
         (255, 0.0, 0.5, b"old", 2.25, False),
         (255, 0.0, 0.5, b"old", 2.5, True),
-        (255, 0.75, 0.5, b"old", 2.5, True),
+        (255, 0.75, 0.5, b"old", 2.5, False),
+        (255, 0.75, 0.5, b"old", 2.75, True),
         # The other types are sent on SYNC.
         (1, 0.0, 0.5, b"new", 9.0, False),
         (0, 0.0, 0.5, b"new", 9.0, False),

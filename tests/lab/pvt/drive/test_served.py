@@ -409,9 +409,11 @@ def test_a_drive_expects_no_heartbeat_until_it_is_configured(bus: Bus) -> None:
 
 
 def test_a_pdo_may_have_another_identifier(bus: Bus) -> None:
-    """The first of each direction get 305 and 385; 201 and 181 are no longer theirs."""
-    assert bus.ask(1, 0x23, 0x00, 0x18, 1, 0x85, 0x03, 0, 0)[0] == 0x60
-    assert bus.ask(1, 0x23, 0x00, 0x14, 1, 0x05, 0x03, 0, 0)[0] == 0x60
+    """The first of each direction get 305 and 385 while they are off; 201 and 181 are no longer theirs."""
+    for record, low in ((0x18, 0x85), (0x14, 0x05)):
+        assert bus.ask(1, 0x23, 0x00, record, 1, low, 0x03, 0, 0)[4:] == (0x08000022).to_bytes(4, "little")
+        assert bus.ask(1, 0x23, 0x00, record, 1, low, 0x03, 0, 0x80)[0] == 0x60
+        assert bus.ask(1, 0x23, 0x00, record, 1, low, 0x03, 0, 0)[0] == 0x60
     bus.send(0, 1, 1)
     bus.send(0x201, 6, 0)
     assert bus.until(0.01) == [(0x385, b"\x50\x06")]
@@ -427,16 +429,46 @@ def test_objects_of_the_communication_refuse_what_does_not_fit(bus: Bus) -> None
 
 
 @pytest.mark.parametrize(
-    ("kind", "answer"), [(0xFB, 0x60), (0xFC, 0x80), (0xFD, 0x80), (0xFE, 0x60), (1, 0x60)]
+    ("kind", "answer"),
+    [(0xF1, 0x80), (0xFB, 0x80), (0xFC, 0x80), (0xFD, 0x80), (0xFE, 0x60), (1, 0x60), (0xF0, 0x60)],
 )
-def test_a_pdo_is_not_sent_on_a_remote_frame(kind: int, answer: int, bus: Bus) -> None:
-    """Types 252 and 253 are refused for a transmit PDO, not for a receive PDO."""
+def test_the_types_of_a_pdo(kind: int, answer: int, bus: Bus) -> None:
+    """Types 241 to 251 are reserved, and a PDO is not sent on a remote frame (252 and 253)."""
     refused = bus.ask(1, 0x2F, 0x01, 0x18, 2, kind)
     assert refused[0] == answer
     if answer == 0x80:
         assert refused[4:] == (0x06090030).to_bytes(4, "little")
-    assert bus.ask(1, 0x2F, 0x01, 0x14, 2, kind)[0] == 0x60
+    assert bus.ask(1, 0x2F, 0x01, 0x14, 2, kind)[0] == answer
     assert [bus.ask(1, 0x2F, pdo, 0x18, 2, kind)[0] for pdo in (0, 3)] == [answer] * 2
+
+
+def test_a_synchronous_pdo_acts_at_a_sync(bus: Bus) -> None:
+    """PDO 2 has the control word and the mode of operation."""
+    assert bus.ask(1, 0x2F, 0x60, 0x60, 0, 3)[0] == 0x60
+    assert bus.ask(1, 0x2F, 0x01, 0x14, 2, 1)[0] == 0x60
+    assert bus.ask(1, 0x23, 0x01, 0x14, 1, 0x01, 0x03, 0, 0)[0] == 0x60
+    bus.send(0, 1, 1)
+    bus.send(0x301, 0, 0, 1)
+    assert bus.ask(1, 0x40, 0x60, 0x60, 0)[4] == 3
+    bus.send(0x80)
+    assert bus.ask(1, 0x40, 0x60, 0x60, 0)[4] == 1
+
+
+@pytest.mark.parametrize(("index", "value"), [(0x6060, [3]), (0x6040, [6, 0]), (0x607A, [1, 2, 3, 4])])
+def test_an_expedited_download_may_leave_out_the_size(index: int, value: list[int], bus: Bus) -> None:
+    assert bus.ask(1, 0x22, index & 0xFF, index >> 8, 0, *value)[0] == 0x60
+
+
+def test_the_inhibit_time_of_a_pdo_in_use_stays(bus: Bus) -> None:
+    assert bus.ask(1, 0x2B, 0x00, 0x18, 3, 0x10, 0)[4:] == (0x08000022).to_bytes(4, "little")
+    assert bus.ask(1, 0x2B, 0x01, 0x18, 3, 0x10, 0)[0] == 0x60
+
+
+def test_a_frame_of_network_management_that_is_too_short() -> None:
+    bus = Bus()
+    bus.send(0, 1)
+    bus.close()
+    assert bus.complaints == ["a frame was dropped: network management needs 2 bytes, not 1"]
 
 
 def test_eight_objects_of_a_byte_fit_a_pdo_and_five_of_sixteen_bits_do_not(bus: Bus) -> None:
