@@ -26,9 +26,6 @@ style whose rule is printed), *memory* (high, medium or low confidence) or a *ch
 Assumptions based on a manual or on code are confirmed, all others are open. The marks mean:
 
 * *set*: the machine file's `[assumptions]` can select another behaviour.
-* *asked*: `motionlang probe` has a question for the controller.
-* *asked by name*: the question has a program of its own (`motionlang probe NAME`), because it writes settings or may
-  end with an error.
 * *own*: the matter concerns this program alone; no controller has a different answer.
 
 The alternatives are what the sources leave possible; each is a guess.
@@ -79,15 +76,14 @@ def summary() -> str:
     for title in dict.fromkeys(KINDS.values()):
         lines.append(f"| {title} | {' | '.join(f'{each[title]:.0%}' for each in shares)} |\n")
     lines.append("\nThe assumptions by subject:\n\n")
-    lines.append("| subject | assumptions | confirmed | a probe settles | the machine file sets |\n")
-    lines.append("|---|---|---|---|---|\n")
+    lines.append("| subject | assumptions | confirmed | the machine file sets |\n")
+    lines.append("|---|---|---|---|\n")
     for chapter in chapters():
         found = [each for section in chapter.sections for each in section.assumptions if not each.own]
         if found:
             numbers = (
                 len(found),
                 len([each for each in found if not each.is_open]),
-                len([each for each in found if each.probe is not None]),
                 len([each for each in found if each.key]),
             )
             link = f"[{chapter.title}](contributing/assumptions.md#{anchor(chapter.title)})"
@@ -137,8 +133,6 @@ def _section(section: Section) -> Iterator[str]:
 def _row(assumption: Assumption) -> str:
     others = f"; open: {'; or '.join(assumption.alternatives)}" if assumption.alternatives else ""
     marks = " · set" * bool(assumption.key) + " · own" * assumption.own
-    if assumption.probe is not None:
-        marks += " · asked by name" if assumption.probe.alone else " · asked"
     row = (
         assumption.question,
         assumption.chosen + others,

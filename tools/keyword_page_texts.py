@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from motionlang.commands.probe.entries import of_word
 from motionlang.commands.probe.keyword_facts import facts
-from motionlang.commands.probe.questions import of_word
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.views.formatting import dialect_name
 from tools.assumptions_page import anchor, cell
@@ -130,6 +130,5 @@ def _open(row: Keyword, dialect: str) -> list[str]:
     lines: list[str] = []
     for each in of_word(dialect, row):
         others = f"; or: {'; or '.join(each.alternatives)}" if each.alternatives else ""
-        marked = f"`{each.name}`" if each.probe is None else f"`motionlang probe {each.name}`"
-        lines.append(f"* {each.question}: {each.chosen}{others} ({marked})")
+        lines.append(f"* {each.question}: {each.chosen}{others} (`{each.name}`)")
     return ["", "open", "", *lines] if lines else []

@@ -63,10 +63,6 @@ GROUPS = {
             "commands.cover.command:Cover",
             "show which statements and conditions of programs their runs reach",
         ),
-        "probe": (
-            "commands.probe.command:ProbeCommand",
-            "write a test program for open questions on a controller",
-        ),
     },
     "connect hosts": {
         "serve": ("hosts.commands.serve:Serve", "let hosts talk to a virtual controller"),

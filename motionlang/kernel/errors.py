@@ -17,7 +17,6 @@ CODES: dict[str, str] = {
     "syntax": "The text does not follow the grammar of the language.",
     "language": "The file is written in the other language.",
     "missing-end": "A block was opened and never closed.",
-    "answers": "A controller's answers to a probe cannot be read.",
     "stray-end": "A block is closed that was never opened.",
     "unknown-word": "The name is neither a keyword nor declared in the program.",
     "not-simulated": "The keyword belongs to the language, but is not simulated here.",

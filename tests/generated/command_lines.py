@@ -169,15 +169,7 @@ def _explain(draw: Draw) -> list[str]:
     return ["help", f"error[{draw.choice(sorted(CODES))}]"]
 
 
-def _probe(draw: Draw) -> list[str]:
-    language = draw.choice(("mint", "mccl"))
-    if draw.chance(0.4):
-        return ["probe", draw.choice(sorted(table(language))), "--list"]
-    motion = ["--motion", str(draw.randrange(2, 40)), "--axis", str(draw.randrange(1, 3))]
-    return ["probe", language, *(motion if draw.chance(0.5) else [])]
-
-
 _KINDS = (
     _plan, _pvt, _plan, _refine, _plan, _export, _refine, _stream, _plan, _step, _step, _export, _keyword, _tune, _plan,
-    _compare, _step, _keyword, _plan, _explain, _pvt, _step, _probe,
+    _compare, _step, _keyword, _plan, _explain, _pvt, _step, _keyword,
 )  # fmt: skip

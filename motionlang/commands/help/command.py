@@ -20,8 +20,8 @@ from motionlang.commands.help.view import evidence_table, keywords_table, listin
 from motionlang.commands.probe import view as assumptions
 from motionlang.commands.probe.assumption import SETTLED, Assumption
 from motionlang.commands.probe.entries import assumptions as known
+from motionlang.commands.probe.entries import of_word
 from motionlang.commands.probe.fact_evidence import of_word as of_word_facts
-from motionlang.commands.probe.questions import of_word
 from motionlang.kernel import CODES, Diagnostic, Keyword, dialect, dialects
 from motionlang.kernel.lang import Vocabulary
 from motionlang.kernel.tools import nearest
@@ -214,9 +214,7 @@ def _pages(found: Mapping[str, Keyword]) -> str:
 
 def _assumption(found: Assumption) -> str:
     """Return an assumption as the pages of its keywords show it."""
-    language = found.name.partition(".")[0]
-    axis = dialect(language if language in dialects() else dialects()[0]).first_axis
-    return assumptions.of_word([found], axis, width=min(_width(), 88), colour=wants_colour(sys.stdout))
+    return assumptions.of_word([found], width=min(_width(), 88), colour=wants_colour(sys.stdout))
 
 
 def _page(row: Keyword, language: str) -> str:
@@ -227,8 +225,7 @@ def _page(row: Keyword, language: str) -> str:
     if row.example and of_word_facts(language, row)["meaning"].strength not in SETTLED:
         text += f"\n  {MEANING}\n"
     if questions:
-        axis = dialect(language).first_axis
-        text += "\n" + assumptions.of_word(questions, axis, width=min(width, 88), colour=colour)
+        text += "\n" + assumptions.of_word(questions, width=min(width, 88), colour=colour)
     return text
 
 

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from motionlang.commands.probe.assumption import Assumption, Probe
-from motionlang.commands.probe.fact_evidence import STRENGTHS, of_word
-from motionlang.commands.probe.rules import default_probe, other_defaults
-from motionlang.kernel import Keyword
+from motionlang.commands.probe.assumption import Assumption
+from motionlang.commands.probe.fact_evidence import STRENGTHS
+from motionlang.commands.probe.fact_evidence import of_word as facts_of_word
+from motionlang.kernel import Keyword, dialects
 from motionlang.kernel.files import package_text
 from motionlang.kernel.lang import ASSUMPTIONS, switch
 from motionlang.kernel.mint import name_of, row_with_default, with_default
@@ -36,13 +36,11 @@ FILES = (
 AFTER = 3
 # The head of an entry after "[[section", and its line of keywords.
 _HEAD, _WORDS = ".reading]]", re.compile(r'^words = "([^"]*)"', re.MULTILINE)
-PROBE_KEYS = (
-    *("before", "ask", "after", "answers", "form", "scale", "motion"),
-    *("alone", "behind", "error", "needs", "machine"),
-)
+# If an integer setting has no more values than this, each alternative is named.
+MAX_NAMED_VALUES = 4
 DEFAULTS = """\
 A setting of an axis that no program has written yet. Each can be given another value in the machine file's
-`[assumptions]`; what `motionlang probe` prints of a controller counts as long as nothing was stored in it."""
+`[assumptions]`."""
 
 
 @dataclass(eq=False, slots=True)
@@ -97,6 +95,12 @@ def entries_naming(word: str) -> list[Assumption]:
     return [*first, *defaults, *last]
 
 
+def of_word(language: str, row: Keyword) -> list[Assumption]:
+    """Return the open assumptions about a keyword."""
+    others = tuple(f"{each}." for each in dialects() if each != language)
+    return [each for each in entries_naming(row.name) if each.is_open and not each.name.startswith(others)]
+
+
 @cache
 def _texts() -> Mapping[str, list[tuple[int, str]]]:
     """Return by word the TOML of the entries that name it, with their file numbers."""
@@ -127,11 +131,7 @@ def _chapter(file: str) -> Chapter:
 
 
 def _assumption(entry: dict[str, Any]) -> Assumption:
-    """Convert an entry of a file, and separate the fields of its probe."""
-    probe = {key: entry.pop(key) for key in PROBE_KEYS if key in entry}
-    language = entry.pop("language", entry["name"].partition(".")[0])
-    if probe:
-        entry["probe"] = Probe(language, **probe)
+    """Convert an entry of a file."""
     if "key" not in entry and switch(entry["name"]) is not None:
         entry["key"] = ASSUMPTIONS + entry["name"]
     assert entry["strength"] in STRENGTHS, entry
@@ -147,15 +147,24 @@ def _defaults() -> Chapter:
 
 
 def _default(row: Keyword) -> Assumption:
-    evidence = of_word("mint", row)["default"]
+    evidence = facts_of_word("mint", row)["default"]
     return Assumption(
         name_of(row),
         f"What {row.name} is until a program writes it",
         f"{row.default:.10g}",
-        alternatives=tuple(other_defaults(row)),
+        alternatives=tuple(_other_defaults(row)),
         why=evidence.source,
         strength=evidence.strength,
         words=(row.name,),
-        probe=default_probe(row),
         key=ASSUMPTIONS + name_of(row),
     )
+
+
+def _other_defaults(row: Keyword) -> list[str]:
+    """Return the alternatives to a default: each possible value, or a general text."""
+    low, high = row.low if row.low is not None else 0, 1 if row.unit == "bool" else row.high
+    if not row.takes_fractions and high is not None and high - low < MAX_NAMED_VALUES:
+        few = [f"{value}" for value in range(int(low), int(high) + 1) if value != row.default]
+        if few:
+            return few
+    return ["any other text" if isinstance(row.default, str) else "any other number"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.commands.probe.answers import is_answer
 from motionlang.commands.probe.entries import assumptions, chapters, entries_naming
 from motionlang.commands.probe.fact_evidence import facts_of, listed
 from motionlang.kernel import dialect, dialects
@@ -43,13 +42,3 @@ def test_every_fact_of_every_word_has_its_evidence(language: str) -> None:
     known = listed(language)
     expected = {(row.name, fact) for row in dialect(language).table() for fact in facts_of(row)}
     assert sorted(expected - known.keys()) == []
-
-
-def test_each_answer_is_distinct_and_belongs_to_an_alternative() -> None:
-    for each in assumptions().values():
-        if each.probe is None or each.probe.form:
-            continue
-        assert len(each.probe.answers) <= 1 + len(each.alternatives), each.name
-        plain = [answer for answer in each.probe.answers if not answer.startswith("re:")]
-        for answer in plain:
-            assert sum(is_answer(other, answer) for other in each.probe.answers) == 1, (each.name, answer)

@@ -109,8 +109,7 @@ KEYS: dict[str, tuple[str, str]] = {
     "assumptions.NAME": (
         "reading",
         "The behaviour of this controller where the sources leave a question open, such as "
-        '"mint.homespeed-default" = 1000. [The list](contributing/assumptions.md) marks those that can be set, '
-        "and `motionlang probe` finds their values.",
+        '"mint.homespeed-default" = 1000. [The list](contributing/assumptions.md) marks those that can be set.',
     ),
 }
 # The sections of a simulated motor and its servo loop; their keys are in `kernel/servo/settings.py`.

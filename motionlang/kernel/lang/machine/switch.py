@@ -46,7 +46,7 @@ def problem(key: str, value: object) -> tuple[str, str] | None:
     found = switch(name)
     if found is not None:
         wrong = found.problem(value)
-        hint = f"motionlang probe finds the value of a controller; {LIST} has the choices"
+        hint = f"{LIST} has the choices"
         return None if wrong is None else (f"the assumption {name} {wrong}, not {shown(value)}", hint)
     near = nearest(name, switches())
     hint = f"did you mean {near}?" if near else f"{LIST} marks the ones that can be set"
