@@ -106,7 +106,7 @@ REPORTED: tuple[
         "Task t\nWAIT=100\nEnd Task\nRun t\nWhile IN(1) = 0\nEnd While\n", {"run.until": 2.0}, "fault",
         ["line 5: the program waits for a change of IN(1), which can never happen"],
         [("never", "the program waits for a change of IN(1), which can never happen", 5, 1, 5,
-          "[[input]] of the machine file says when it comes", "error")],
+          "--input 32=1@0.6 ends it, as does [[input]] of the machine file", "error")],
     ),
     # Another task can still set the variable; then nothing is left that could.
     (

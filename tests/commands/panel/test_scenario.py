@@ -67,7 +67,7 @@ expect = [
   { prints = "part 1" },
   { quantity = "moves", value = 1 },
   { axis = 0, position = 20.0, within = 0.001 },
-  { diagnostic = "never" },
+  { status = "until" },
 ]
 """
     )

@@ -21,15 +21,20 @@ def machine() -> Machine:
 @cases(
     "why, cause, what, hint",
     [
-        ("until INX(3)", "input", (3,), "--input 3=1@0.6 ends it, as does [[input]] of the machine file"),
-        ("until INX(2) = 0", "input", (2,), "--input 2=0@0.6 ends it, as does [[input]] of the machine file"),
+        ("until INX(3)", "input", (3,), "--input 3=1@0.6 changes it, as does [[input]] of the machine file"),
+        (
+            "until INX(2) = 0",
+            "input",
+            (2,),
+            "--input 2=0@0.6 changes it, as does [[input]] of the machine file",
+        ),
         (
             "until IN(0) > 0",
             "input",
             (7, 1, 5, 3),
-            "--input 1=1@0.6 --input 3=1@0.6 --input 5=1@0.6 end it, as does [[input]] of the machine file",
+            "--input 1=1@0.6 --input 3=1@0.6 --input 5=1@0.6 change it, as does [[input]] of the machine file",
         ),
-        ("for a word", "input", (4,), "--input 4=1@0.6 ends it, as does [[input]] of the machine file"),
+        ("for a word", "input", (4,), "--input 4=1@0.6 changes it, as does [[input]] of the machine file"),
         ("for the operator", "operator", (), "--answer 1 ends it, as does [[answer]] of the machine file"),
         ("until INKEY = 65", "condition", (), "--keys R@0.6 changes it, as does [[key]] of the machine file"),
         (
@@ -46,7 +51,7 @@ def machine() -> Machine:
 def test_the_option_that_ends_a_wait(
     machine: Machine, why: str, cause: str, what: tuple[int, ...], hint: str
 ) -> None:
-    """Half a second from now is 0.64 s, about 0.6; a prompt counts from now."""
+    """Half a second from now is 0.64 s, about 0.6; a prompt counts from now. Nothing ends these waits."""
     task = Task("parent")
     wait = Wait(0.0, bool, float, why, cause, what)
     found = what_ends(DIALECT, None, machine, task, wait)

@@ -396,8 +396,10 @@ def _along(
             missed = _passed(regions, active, channel, path, recording)
             if missed is None or len(missed) > MISSED * len(pairs) / 2:
                 continue
-            inverted: Entry = {} if active else {"value": 0}
-            entries = tuple({"channel": number, "axis": axis, **each.keys, **inverted} for each in regions)
+            keys = [each.keys for each in regions] if active else _complement(regions)
+            if not keys:
+                continue
+            entries = tuple({"channel": number, "axis": axis, **each} for each in keys)
             seconds = max(each.spread for each in regions) / usual
             texts = tuple(each.text for each in regions)
             yield MeasuredRule(f"axis {axis}", entries, texts, len(pairs), seconds, 1, missed=missed)
@@ -446,6 +448,15 @@ def _regions(
         marks = marks[count:]
     if 1 < len(found) <= MAX_REGIONS:
         yield found
+
+
+def _complement(regions: Sequence[_Region]) -> list[Entry]:
+    """Return the keys of where an input is on that is off in a region; none for several regions."""
+    if len(regions) > 1 or len(regions[0].edges) > 1:
+        return []
+    ((low, high),) = regions[0].edges
+    found: list[Entry] = [{"below": low}, {"above": high}]
+    return [each for each, end in zip(found, (low, high), strict=True) if abs(end) < inf]
 
 
 def _groups(values: list[float], tolerance: float) -> list[list[float]]:

@@ -116,7 +116,8 @@ def test_the_values_of_a_kind(kind: str) -> None:
             "[axis.0.limits]\nzzz = 5",
             (
                 *(2, 1, 3, "there is no key axis.0.limits.zzz"),
-                "a key of axis.N.limits is axis.N.limits.position, axis.N.limits.speed, axis.N.limits.acceleration …; "
+                "a key of axis.N.limits is axis.N.limits.position, axis.N.limits.speed, axis.N.limits.acceleration, "
+                "axis.N.limits.jerk, axis.N.limits.torque, axis.N.limits.following_error; "
                 "docs/machine-file.md lists all",
             ),
         ),

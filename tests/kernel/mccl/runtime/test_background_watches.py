@@ -114,8 +114,8 @@ def test_the_foreground_ends_if_no_background_task_can_do_anything(
     fields: dict[str, Any], expected: bool
 ) -> None:
     wait = SimpleNamespace(cause=fields.get("cause"), due=lambda: fields.get("due", INFINITY))
-    is_futile = fields.get("hopeless", "cause" not in fields)
-    task = SimpleNamespace(is_futile=is_futile, wait=wait if "cause" in fields else None)
+    is_endless = fields.get("hopeless", "cause" not in fields)
+    task = SimpleNamespace(is_endless=is_endless, wait=wait if "cause" in fields else None)
     scheduler = fields.get("scheduler", SimpleNamespace(outside=fields.get("outside")))
     board = SimpleNamespace(
         background={1: task} if fields.get("tasks", True) else {},
