@@ -56,7 +56,6 @@ def run(
     show: Callable[[str], object] | None = None,
     nv: str | None = None,
     prove: None = None,
-    log_size: float | None = None,
 ) -> Run:
     """Run a program on the virtual controller and return its `Run`.
 
@@ -67,15 +66,13 @@ def run(
     or for a program that never ends ten cycles and at least 60 s.
     `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
     events of the simulated world, in the form of `--input` and the other options: {2: "1@0.5"}. `show` is called with
-    each text that the program prints. `nv` is a file that stores nonvolatile data between runs. `log_size` is the
-    disk space that the log may use, in gigabytes, by default the file's `run.log` or 8.
+    each text that the program prints. `nv` is a file that stores nonvolatile data between runs.
 
     Errors in the program are in `Run.diagnostics` and never raised. Raises OSError if the file cannot be read,
     ProgramError if the machine file is wrong, and ValueError, with the choices, for a wrong argument.
     """
-    for name, value in (("until", until), ("log_size", log_size)):
-        if value is not None and not value >= 0.0:
-            raise ValueError(f"{name} must be a number of 0 or more, not {value!r}")
+    if until is not None and not until >= 0.0:
+        raise ValueError(f"until must be a number of 0 or more, not {until!r}")
     refuse_prove(prove)
     made = run_program(
         _checked(program),
@@ -89,7 +86,6 @@ def run(
         keys=keys,
         show=show,
         nv=nv,
-        log_size=log_size,
     )
     if any(key.startswith("budget.") for key in made.machine.settings):
         from motionlang.commands.profile.budget import within_budget

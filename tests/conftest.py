@@ -93,7 +93,6 @@ def _prove_every_run() -> None:
         outside: Outside | None,
     ) -> None:
         from motionlang.kernel.controller import MotionListener
-        from motionlang.kernel.tracks import Recorded
         from tests.proof.checks import prove
         from tests.proof.expected_motion import ExpectedMotion
 
@@ -108,7 +107,7 @@ def _prove_every_run() -> None:
         if expected is not None:
             result.controller.motion_listener = MotionListener()
         if expected is not None and not expected.is_full:
-            found = prove(Recorded(result.controller), expected, result.machine.clock.now).violations
+            found = prove(result.controller, expected, result.machine.clock.now).violations
             assert not found, [f"{each.line}: {each.message}" for each in found]
 
     execution._execute = proved

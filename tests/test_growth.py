@@ -152,7 +152,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("shape", SHAPES)
 def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
     command = COMMANDS[list(SHAPES).index(shape) % len(COMMANDS)]
-    calls = _measure(command, shape, (20, 40, 80))
+    calls = _measure(command, shape, (40, 80, 160))
     assert _is_linear(calls), (command, calls)
 
 

@@ -225,10 +225,6 @@ def test_a_program_of_the_other_language_is_not_run(
     assert [each.code for each in found.diagnostics] == [code] * bool(code)
 
 
-def test_the_log_on_disk_has_a_size_in_gigabytes() -> None:
-    assert run(Source("a.mnt", "PRINT 1\n"), log_size=2.5).machine.log.store.disk == 2_500_000_000
-
-
 def test_a_run_of_no_time_is_proved() -> None:
     result = proof.run(Source("a.mnt", ""))
     assert (result.time, proof.prove(result).violations) == (0.0, [])

@@ -10,10 +10,8 @@ A trial is split at the times of `HORIZONS`, where it ends if its caller has see
 from __future__ import annotations
 
 import re
-from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
-from operator import attrgetter
 from typing import NamedTuple
 
 from motionlang.exploration.changes import Timeline, merged, tables_of
@@ -324,7 +322,7 @@ def _trial(
         recorder.is_idle,
         plain(result.machine.operator.question).strip(" ?:") if asks(result) else None,
         list(_moves(result)),
-        log.outputs[bisect_left(log.outputs, since, key=attrgetter("time")) :],
+        [each for each in log.outputs if each.time >= since],
         list(log.prints),
         [*log.waits.written(), *_open_waits(result)],
         recorder.statements,
@@ -406,4 +404,4 @@ def _open_waits(result: Run) -> Iterator[Waited]:
     for task in scheduler.tasks if scheduler is not None else ():
         wait = task.wait
         if not task.done and wait is not None and (wait.cause != "time" or wait.due() == inf):
-            yield Waited(*task.waited(wait, inf))  # type: ignore[arg-type]
+            yield task.waited(wait, inf)

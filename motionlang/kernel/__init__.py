@@ -76,7 +76,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.source import Source as Source
     from motionlang.kernel.source import name_of as name_of
     from motionlang.kernel.tracks.trace import Trace as Trace
-    from motionlang.kernel.tracks.track import WholeTrack as WholeTrack
 
 # The names of each module. Each is imported on first use.
 PUBLIC = {
@@ -108,7 +107,6 @@ PUBLIC = {
     "controller.clock": "INFINITY",
     # What happened.
     "tracks.trace": "Trace",
-    "tracks.track": "WholeTrack",
     # Errors.
     "errors": "Rejected Diagnostic ProgramError Terminated OutOfTime CODES",
 }

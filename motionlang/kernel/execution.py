@@ -92,7 +92,6 @@ def run(
     begun: Callable[[Machine], None] | None = None,
     nv: str | None = None,
     keep_crash: bool = False,
-    log_size: float | None = None,
     hook: Hook | None = None,
     observer: Observer | None = None,
     inputs: Given = (),
@@ -135,10 +134,6 @@ def run(
     if not _is_ready(made, language, result):
         made = None
     result.program = made
-    gigabytes = settings.get("run.log") if log_size is None else log_size
-    if gigabytes is not None:
-        assert isinstance(gigabytes, (int, float))
-        result.machine.log.store.disk = int(gigabytes * 1e9)
     if nv is not None and made is not None and not open_nonvolatile(result, nv):
         made = None
     if made is not None:

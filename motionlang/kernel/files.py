@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import os
 import stat
-from tempfile import TemporaryFile
 from time import monotonic, sleep
 from typing import IO
 
@@ -24,14 +23,6 @@ def replacing(path: str, *, only_copy: bool = False, private: bool = False) -> R
     users. Raises OSError with the name of the file.
     """
     return Replacement(path, only_copy, PRIVATE if private else 0o666)
-
-
-def scratch() -> IO[bytes]:
-    """Return an unnamed file for data too large for memory.
-
-    It is deleted when it is closed or the process ends.
-    """
-    return TemporaryFile(prefix="motionlang-")
 
 
 def package_text(path: str) -> str:

@@ -21,13 +21,12 @@ from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.packed import RAMPS, packed
 from motionlang.kernel.planners.ramps import named_ramps
 from motionlang.kernel.result import Run
 
 if TYPE_CHECKING:
     from motionlang.kernel.report_types import Report
-    from motionlang.kernel.tracks.history import Figures, MotorFigures
+    from motionlang.kernel.tracks.history import MotorFigures
 
 Row = dict[str, object]
 
@@ -116,10 +115,12 @@ def _move_lines(run: Run) -> Iterator[str]:
     for number, move in enumerate(run.controller.log.moves):
         text = ""
         if id(move) not in running and not move.overlaid and number not in figures:
-            profile = packed(move.profile)  # type: ignore[arg-type]
-            if len(profile) == RAMPS:
+            profile = move.profile
+            if profile is not None and profile.has_ramps:
                 about = move.axis, move.command, move.line, move.start_time, *_figures(move)
-                text = _line_of_ramps(about, *profile)  # type: ignore[arg-type]
+                text = _line_of_ramps(
+                    about, profile.shape, profile.start, profile.end, profile.duration, profile._recipe
+                )
         # JSON has null for a figure that has overflowed.
         if not text or "inf" in text or "nan" in text:
             text = line(_move(run, move, running, figures.get(number)))
@@ -248,7 +249,7 @@ def _until_end(run: Run, move: LoggedMove, running: dict[int, float | None]) -> 
     return profile if begin is None else profile.scaled(begin, 1.0), ended
 
 
-def _motor_figures(controller: Controller) -> Figures | dict[int, MotorFigures]:
+def _motor_figures(controller: Controller) -> dict[int, MotorFigures]:
     """Return the motor figures of the moves; without motors empty, at no cost."""
     if all(axis.feedback is None for axis in controller.axes.values()):
         return {}
@@ -280,7 +281,7 @@ def events(run: Run) -> Iterator[Row]:
 
 def axes(run: Run) -> list[Row]:
     """Return the final state of every axis that the program used."""
-    moved = run.controller.log.moves.moved()
+    moved = {move.axis for move in run.controller.log.moves}
     return [
         _axis(axis, run.time)
         for axis in run.controller.axes.values()

@@ -24,6 +24,7 @@ from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.wait_hints import what_ends, what_frees
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.log.move import LoggedMove
+from motionlang.kernel.log.records import Event
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import clipped, count_of, in_notebook
 
@@ -234,7 +235,7 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
 
 def _log_wait(result: Run, at: int, why: str) -> None:
     """Log an endless wait as an event, at the source position of its task."""
-    result.machine.log.events.add((result.machine.clock.now, "wait", None, None, None, at, 0, why))
+    result.machine.log.events.add(Event(result.machine.clock.now, "wait", None, None, None, at, 0, why))
 
 
 def _report_endless_homing(result: Run, scheduler: Scheduler) -> None:

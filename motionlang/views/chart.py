@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from itertools import chain, islice
 from math import inf
 
-from motionlang.kernel import Axis, WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.planners import Profile
 from motionlang.views.figure import Curve, Panel
 from motionlang.views.formatting import clock_time
@@ -109,9 +109,8 @@ def velocity_spans(axis: Axis, end: float, count: int) -> list[Span]:
         lows[at] = min(lows[at], *values)
         highs[at] = max(highs[at], *values)
 
-    track = WholeTrack(axis)
-    ends = chain(islice(track.starts, 1, None), (end,))
-    for start, following, profile in zip(track.starts, ends, track.profiles, strict=True):
+    ends = chain(islice(axis.starts, 1, None), (end,))
+    for start, following, profile in zip(axis.starts, ends, axis.profiles, strict=True):
         first, last = int(start / step), int(min(following, end) / step)
         if first == last:
             note(first, profile.start_velocity, *_turning_velocities(profile, following - start))

@@ -13,7 +13,7 @@ from typing import Any
 
 import jsonschema  # type: ignore[import-untyped]
 
-from motionlang.kernel import Run, WholeTrack
+from motionlang.kernel import Run
 from motionlang.kernel.log import LoggedMove
 from motionlang.views.report import render
 from tests.proof import prove
@@ -50,7 +50,7 @@ def in_order(result: Run) -> Iterator[str]:
         "analogue outputs": (each.time for each in log.analogue_outputs),
     }
     for number, axis in result.controller.axes.items():
-        streams[f"the track of axis {number}"] = WholeTrack(axis).starts
+        streams[f"the track of axis {number}"] = axis.starts
     for name, stream in streams.items():
         times = [*stream, result.time]
         before, after = next((two for two in pairwise(times) if not two[0] <= two[1]), (0.0, 0.0))
@@ -80,7 +80,7 @@ def entries_end(result: Run) -> Iterator[str]:
         if not move.overlaid and not move.offset:
             last[move.axis] = move
     for number, move in last.items():
-        axis, profile, track = axes[number], move.profile, WholeTrack(axes[number])
+        axis, profile, track = axes[number], move.profile, axes[number]
         assert profile is not None
         end = move.start_time + profile.duration
         if end > result.time or axis.move is not None or any(time > end for time in track.starts):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from motionlang.kernel import Run, WholeTrack
+from motionlang.kernel import Axis, Run
 
 # Seconds before the end of the shorter run within which events may belong to its last instant.
 LAST = 1e-6
@@ -36,7 +36,7 @@ def differences(whole: Run, prefix: Run, until: float) -> Iterator[str]:
             values = (known[first], found[first]) if first is not None else (len(known), len(found))
             yield f"prefix: to {until!r} s: {name}: {values[0]} without, {values[1]} with an end"
     for number, axis in whole.controller.axes.items():
-        tracks = WholeTrack(axis), WholeTrack(prefix.controller.axes[number])
+        tracks = axis, prefix.controller.axes[number]
         for k in range(SAMPLES):
             time = end * k / (SAMPLES - 1)
             here, there = (_position(track, time) for track in tracks)
@@ -54,7 +54,7 @@ class _Position(float):
     __hash__ = float.__hash__
 
 
-def _position(track: WholeTrack, time: float) -> float:
+def _position(track: Axis, time: float) -> float:
     index = track.index_at(time)
     return track.profiles[index].position(time - track.starts[index])
 

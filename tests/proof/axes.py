@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import inf, isfinite
 
-from motionlang.kernel import WholeTrack
+from motionlang.kernel import Axis
 from tests.proof.checker import SLACK, BoundUses, Proof
 from tests.proof.order import Order
 from tests.proof.segments import Span, derivatives, spans
@@ -14,7 +14,7 @@ from tests.proof.stretches import stretches, unavoidable_speed
 PLANNED = frozenset({"move", "step", "jog", "stop"})
 
 
-def check_profile(proof: Proof, a: WholeTrack, i: int, order: Order, earlier: Order, length: float) -> None:
+def check_profile(proof: Proof, a: Axis, i: int, order: Order, earlier: Order, length: float) -> None:
     """Check a profile planned from the settings, and the continuity of its pieces.
 
     The bounds are speed, rates and jerk. The previous profile was planned by the order `earlier`.
@@ -62,7 +62,7 @@ def check_bounds(
     uses.report(order.line, where, " counts")
 
 
-def taken_over(a: WholeTrack, i: int) -> tuple[float, float]:
+def taken_over(a: Axis, i: int) -> tuple[float, float]:
     """Return the velocity and the acceleration that profile i takes over from the one before."""
     entry = a.profiles[i].at(0.0)
     before = a.profiles[i - 1].at(a.starts[i] - a.starts[i - 1]).acceleration if i else 0.0
@@ -70,7 +70,7 @@ def taken_over(a: WholeTrack, i: int) -> tuple[float, float]:
     return entry.velocity, carried
 
 
-def _check_edges(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def _check_edges(proof: Proof, a: Axis, i: int, order: Order) -> None:
     """Check that a profile begins and ends like its pieces, which checks of joins use."""
     profile = a.profiles[i]
     duration = profile.duration
@@ -101,7 +101,7 @@ def _completes_trapezoid(order: Order, earlier: Order) -> bool:
 
 
 def _check_knots(
-    proof: Proof, a: WholeTrack, i: int, order: Order, segments: list[Span], completes_trapezoid: bool = False
+    proof: Proof, a: Axis, i: int, order: Order, segments: list[Span], completes_trapezoid: bool = False
 ) -> None:
     """Check continuity of pieces: position, planned velocity, S-ramp acceleration.
 
@@ -138,7 +138,7 @@ def _check_knots(
         completes_trapezoid = completes_trapezoid and abs(after[1]) > SLACK * sizes[1]
 
 
-def _counts(a: WholeTrack, order: Order) -> float:
+def _counts(a: Axis, order: Order) -> float:
     """Return the counts per unit of the rates; the rates of a path are in user units."""
     path = order.path
     return 1.0 if path is None else abs(path.scales[path.members.index(a.index)])

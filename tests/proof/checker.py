@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import accumulate
 from math import fsum, inf, isfinite
 
-from motionlang.kernel import Axis, Diagnostic, WholeTrack
+from motionlang.kernel import Axis, Diagnostic
 from motionlang.kernel.log import CONTINUED, LoggedMove
 from tests.proof.expected_motion import ExpectedMotion
 from tests.proof.order import Order, PathOrder
@@ -146,7 +146,7 @@ class RunRecords:
 
     def __init__(
         self,
-        axes: Mapping[int, WholeTrack],
+        axes: Mapping[int, Axis],
         moves: Iterable[LoggedMove],
         expected_motion: ExpectedMotion,
         until: float,
@@ -170,7 +170,6 @@ class RunRecords:
         self.offset_goals: dict[int, tuple[LoggedMove, float]] = {}
         self._begins: dict[int, list[float]] = {}
         self._order_of: dict[int, Order] = {}
-        self._tracks: dict[int, WholeTrack] = {}
         ordered = {
             order.path.entry: order
             for records in expected_motion.of.values()
@@ -240,19 +239,12 @@ class RunRecords:
         for number, move in enumerate(self._log):
             yield self._stored.get(number, move)
 
-    def span(self, a: WholeTrack, i: int) -> tuple[float, float]:
+    def span(self, a: Axis, i: int) -> tuple[float, float]:
         """Return when a profile of a track came into force, and when it ended."""
-        begin = a.starts[i]
-        if i + 1 < len(a.starts):
-            return begin, a.starts[i + 1]
-        return begin, min(self.until, begin + a.profiles[i].duration)
-
-    def track(self, a: Axis) -> WholeTrack:
-        """Return the complete motion of a master, an axis or an encoder."""
-        found = self._tracks.get(id(a))
-        if found is None:
-            found = self._tracks[id(a)] = WholeTrack(a)
-        return found
+        begin, profile = a.starts[i], a.profiles[i]
+        over = a.starts[i + 1] if i + 1 < len(a.starts) else self.until
+        is_over = i + 1 == len(a.starts) or not profile.end_velocity
+        return begin, min(over, begin + profile.duration) if is_over else over
 
     def order_of(self, move: LoggedMove) -> Order:
         """Return the order in force when an entry of the log begins."""
@@ -279,11 +271,11 @@ class RunRecords:
         found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
         return [entry for entry in found if entry is not None and entry.profile is not None]
 
-    def is_blended(self, a: WholeTrack, time: float) -> bool:
+    def is_blended(self, a: Axis, time: float) -> bool:
         """True if an axis is on two paths at once."""
         return a.profiles[a.index_at(time)].shape == "blend"
 
-    def logged(self, a: WholeTrack, move: LoggedMove, time: float, ending: bool) -> float:
+    def logged(self, a: Axis, move: LoggedMove, time: float, ending: bool) -> float:
         """Return a track's position from a log entry, without the motion of blended paths.
 
         An entry without a duration may precede a position that is set at the same time.
@@ -309,7 +301,7 @@ class RunRecords:
         return done
 
 
-def _at_instant(a: WholeTrack, time: float, stated: float, last: float) -> float:
+def _at_instant(a: Axis, time: float, stated: float, last: float) -> float:
     """Return the position at a time that is nearest to the stated one.
 
     `last` is the final one; others are those of profiles that began then and were replaced at once.
@@ -348,7 +340,7 @@ def travelled(move: LoggedMove, time: float) -> tuple[float, float]:
     return here - profile.start, here - profile.end
 
 
-def position(a: WholeTrack, time: float, ending: bool = False) -> float:
+def position(a: Axis, time: float, ending: bool = False) -> float:
     """Return the position of a track; with `ending`, before the events of that time.
 
     A new zero is such an event.

@@ -43,10 +43,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from math import acos, degrees, fsum, inf, isfinite, nextafter, sqrt
 
-from motionlang.kernel import Diagnostic, WholeTrack
+from motionlang.kernel import Axis, Controller, Diagnostic
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import MotionState, Profile
-from motionlang.kernel.tracks import Recorded, Samples
+from motionlang.kernel.tracks import Samples
 from tests.proof.axes import PLANNED, check_profile
 from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
 from tests.proof.entries import Ends, check_ends, take_entry
@@ -64,7 +64,7 @@ SAMPLE_FRACTIONS = (0.0, 0.21, 0.5, 0.83, 1.0)
 
 
 def prove(
-    controller: Recorded,
+    controller: Controller,
     expected_motion: ExpectedMotion,
     until: float,
     report: Iterable[Mapping[str, object]] | None = None,
@@ -80,7 +80,7 @@ def prove(
         message = f"nothing was verified: the run has more than {MAX_PROFILES} profiles of motion, the limit of a proof"
         proof.violations.append(Diagnostic("crash", message, hint="end the run sooner with --until"))
         return proof
-    run = RunRecords(controller.axes, controller.moves, expected_motion, until)
+    run = RunRecords(controller.axes, controller.log.moves, expected_motion, until)
     if report is not None:
         check_report(proof, run, report)
     if samples is not None:
@@ -122,7 +122,7 @@ def prove(
 # ------------------------------------------------------------------------------------------------------- joins
 
 
-def _check_join(proof: Proof, run: RunRecords, a: WholeTrack, i: int) -> None:
+def _check_join(proof: Proof, run: RunRecords, a: Axis, i: int) -> None:
     """Check continuity of position, velocity and S-ramp acceleration between profiles."""
     proof.counts["joins"] += 1
     expected_motion = run.expected_motion
@@ -173,7 +173,7 @@ def _check_join(proof: Proof, run: RunRecords, a: WholeTrack, i: int) -> None:
             proof.breaks(line, f"{where}: the acceleration of an S-ramp jumps by {bend:g} counts/s²")
 
 
-def _step(run: RunRecords, a: WholeTrack, i: int, earlier: Order) -> float:
+def _step(run: RunRecords, a: Axis, i: int, earlier: Order) -> float:
     """Return the velocity, counts/s, at which a stepper may end the profile before i.
 
     A stop that continues the move as planned, because it would take longer, ends like that.
@@ -184,7 +184,7 @@ def _step(run: RunRecords, a: WholeTrack, i: int, earlier: Order) -> float:
     return before.step if abs(a.profiles[i - 1].end - end) <= SLACK * max(1.0, abs(end)) else 0.0
 
 
-def _excuse(run: RunRecords, a: WholeTrack, i: int, kinds: tuple[str, str]) -> str:
+def _excuse(run: RunRecords, a: Axis, i: int, kinds: tuple[str, str]) -> str:
     """Return the command that makes the velocity jump; "" if there is none."""
     if (a.index, a.starts[i]) in run.expected_motion.standstills:
         return "an immediate stop: cancelled, disabled, or at a limit"
@@ -254,7 +254,7 @@ def _at_last(profile: Profile, time: float) -> MotionState:
     return profile.at(min(time, nextafter(profile.duration, 0.0)))
 
 
-def _alone(run: RunRecords, a: WholeTrack, i: int) -> tuple[list[MotionState], list[MotionState]] | None:
+def _alone(run: RunRecords, a: Axis, i: int) -> tuple[list[MotionState], list[MotionState]] | None:
     """Return the states before and after a join, without a path blended with both.
 
     None if no path continues into another one, or none is blended with it.
@@ -335,7 +335,7 @@ def _check_move(proof: Proof, run: RunRecords, move: LoggedMove) -> None:
             return
 
 
-def _zero(run: RunRecords, a: WholeTrack, time: float) -> float:
+def _zero(run: RunRecords, a: Axis, time: float) -> float:
     """Return the zero of an axis at a time, or the last one before an interrupt."""
     data = run.expected_motion.data[a.index]
     return data[min(a.index_at(time), len(data) - 1)] if data and a.starts else 0.0

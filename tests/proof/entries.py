@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from math import fsum, isfinite
 
-from motionlang.kernel import WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.log import CONTINUED, MAX_PIECES, LoggedMove
 from motionlang.kernel.planners import Profile
 from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords, position
@@ -91,7 +91,7 @@ def _check_entry(proof: Proof, run: RunRecords, found: Ends, move: LoggedMove, p
         _check_ended(proof, run, a, found, move, where)
 
 
-def _lines(run: RunRecords, a: WholeTrack, start: float) -> set[int]:
+def _lines(run: RunRecords, a: Axis, start: float) -> set[int]:
     """Return the lines of motion that begins on an axis at a time."""
     i, records = a.index_at(start), run.expected_motion.of[a.index]
     found = {records[i].line}
@@ -101,7 +101,7 @@ def _lines(run: RunRecords, a: WholeTrack, start: float) -> set[int]:
     return found
 
 
-def _check_gap(proof: Proof, run: RunRecords, a: WholeTrack, found: Ends, until: float) -> None:
+def _check_gap(proof: Proof, run: RunRecords, a: Axis, found: Ends, until: float) -> None:
     """Check that the axis was at rest between the entries so far and a time."""
     records = run.expected_motion.of[a.index]
     while found.next_index < len(a.starts) and a.starts[found.next_index] < until:
@@ -126,9 +126,7 @@ def _is_full(run: RunRecords, move: LoggedMove, last: Order) -> bool:
     return any(each.profile is not None and len(each.profile.knots) > MAX_PIECES for each in entries)
 
 
-def _check_ended(
-    proof: Proof, run: RunRecords, a: WholeTrack, found: Ends, move: LoggedMove, where: str
-) -> None:
+def _check_ended(proof: Proof, run: RunRecords, a: Axis, found: Ends, move: LoggedMove, where: str) -> None:
     """Check that an entry has ended for its stated reason.
 
     The reasons are a commanded stop, another entry, or its own end.
@@ -179,14 +177,14 @@ def _check_ended(
                 return
 
 
-def _is_at_end(run: RunRecords, a: WholeTrack, i: int, end: float, late: float) -> bool:
+def _is_at_end(run: RunRecords, a: Axis, i: int, end: float, late: float) -> bool:
     """True if the last profile of an entry reaches its own end at `end`.
 
     An endless or stopped profile has no end of its own.
     """
     order = run.expected_motion.of[a.index][i]
     if order.tie is not None and order.tie.table is not None and order.tie.table[2] == "even":
-        travelled = position(run.track(order.tie.master), end) - order.tie.origin
+        travelled = position(order.tie.master, end) - order.tie.origin
         length = order.tie.table[0][-1]
         return abs(travelled * order.tie.direction - length) <= SLACK * max(1.0, length)
     if order.kind in ("jog", "stop", "Gear"):
@@ -196,14 +194,14 @@ def _is_at_end(run: RunRecords, a: WholeTrack, i: int, end: float, late: float) 
     return a.starts[i] + a.profiles[i].duration <= (over if abs(over - end) <= late else end + late)
 
 
-def _order_before(run: RunRecords, a: WholeTrack, time: float) -> Order:
+def _order_before(run: RunRecords, a: Axis, time: float) -> Order:
     i = a.index_at(time)
     while i > 0 and a.starts[i] >= time:
         i -= 1
     return run.expected_motion.of[a.index][i]
 
 
-def _last(a: WholeTrack, start: float, end: float) -> int:
+def _last(a: Axis, start: float, end: float) -> int:
     """Return the index of the last profile of an entry."""
     i = a.index_at(end)
     while i > 0 and a.starts[i] >= end - LATE * (1.0 + end) and a.starts[i] > start:
@@ -240,7 +238,7 @@ def check_ends(proof: Proof, run: RunRecords, ends: dict[int, Ends]) -> None:
             _check_last(proof, run, a, found.last)
 
 
-def _check_waiting(proof: Proof, run: RunRecords, a: WholeTrack) -> None:
+def _check_waiting(proof: Proof, run: RunRecords, a: Axis) -> None:
     """Check that no released move waits at the end of the run without a reason.
 
     The reasons are another move in progress, and an error that ends the run. It is not checked after an
@@ -248,9 +246,10 @@ def _check_waiting(proof: Proof, run: RunRecords, a: WholeTrack) -> None:
     """
     offsets = run.offsets.get(a.index)
     follows = run.expected_motion.of[a.index][-1].tie is not None
-    found = [move for move in a.waiting[:1] if move.action is None and a.move is None]
+    waiting = [] if a.suspended else a.buffer
+    found = [move for move in waiting[:1] if move.action is None and a.move is None]
     if follows and (offsets is None or not offsets.is_active_at(run.until)):
-        found += [move for move in a.waiting if move.action is not None and move.action.lies_on_top]
+        found += [move for move in waiting if move.action is not None and move.action.lies_on_top]
     for move in found:
         if not move.released or _is_refused(run, a):
             continue
@@ -259,7 +258,7 @@ def _check_waiting(proof: Proof, run: RunRecords, a: WholeTrack) -> None:
         )
 
 
-def _is_refused(run: RunRecords, a: WholeTrack) -> bool:
+def _is_refused(run: RunRecords, a: Axis) -> bool:
     """True if an axis's next move was rejected at the end of the run.
 
     Also true if it was due at the instant at which another axis's move was rejected.
@@ -270,7 +269,7 @@ def _is_refused(run: RunRecords, a: WholeTrack) -> bool:
     return run.until in times
 
 
-def _check_going(proof: Proof, run: RunRecords, a: WholeTrack, going: list[LoggedMove]) -> None:
+def _check_going(proof: Proof, run: RunRecords, a: Axis, going: list[LoggedMove]) -> None:
     present = a.move
     first = going[0]
     where = f"axis {a.index} from {first.start_time:.6f} s"
@@ -293,7 +292,7 @@ def _check_going(proof: Proof, run: RunRecords, a: WholeTrack, going: list[Logge
     proof.breaks(first.line, f"{where}: {words}")
 
 
-def _check_last(proof: Proof, run: RunRecords, a: WholeTrack, last: LoggedMove) -> None:
+def _check_last(proof: Proof, run: RunRecords, a: Axis, last: LoggedMove) -> None:
     profile = last.profile
     assert profile is not None
     if (

@@ -11,7 +11,7 @@ from copy import copy
 from operator import itemgetter
 from typing import Any
 
-from motionlang.kernel import INFINITY, Axis, Controller, Run, WholeTrack
+from motionlang.kernel import INFINITY, Axis, Controller, Run
 from motionlang.kernel.controller import (
     CurveFollow,
     Gear,
@@ -145,6 +145,8 @@ class ExpectedMotion(MotionListener):
         else:
             self._count += MANY_EQUAL
         if self._count <= MANY_EQUAL * MAX_PROFILES:
+            count = len(a.starts)  # a rest before it is no longer on the track
+            del self.of[a.index][count:], self.data[a.index][count:]
             self.of[a.index].append(order)
             self.data[a.index].append(a.datum)
             return
@@ -182,7 +184,7 @@ class ExpectedMotion(MotionListener):
         """
         self.was_cut = True
         for number, a in self._controller.axes.items():
-            count = min(len(WholeTrack(a).starts), len(self.of[number]), len(self.data[number]))
+            count = min(len(a.starts), len(self.of[number]), len(self.data[number]))
             del self.of[number][count:]
             del self.data[number][count:]
 
@@ -237,7 +239,8 @@ class ExpectedMotion(MotionListener):
         """Return the log number of a path's entry; for a long path, of the last entry."""
         began, entry = self._entries.get(move, (-1.0, -1))
         if began != move.start_time:
-            entry = self._controller.log.moves.number(move)
+            moves = self._controller.log.moves
+            entry = len(moves) - 1 - next(k for k, each in enumerate(reversed(moves)) if each is move)
             self._entries[move] = move.start_time, entry
         return entry
 

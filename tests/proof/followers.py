@@ -6,7 +6,7 @@ from bisect import bisect_right
 from itertools import pairwise
 from math import fsum, inf, isfinite
 
-from motionlang.kernel import WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.planners import Profile
 from tests.proof.axes import taken_over
 from tests.proof.checker import SLACK, BoundUses, Proof, RunRecords, position
@@ -20,14 +20,14 @@ FOUR = (0.05, 0.35, 0.65, 0.95)
 MANY = 24
 
 
-def check_tie(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_tie(proof: Proof, run: RunRecords, a: Axis, i: int, order: Order, end: float) -> None:
     """Check that the position of a slave matches its ratio or table.
 
     Until it has caught up, it accelerates at its rates.
     """
     tie = order.tie
     assert tie is not None
-    track, begin = run.track(tie.master), a.starts[i]
+    track, begin = tie.master, a.starts[i]
     where = f"axis {a.index} from {begin:.6f} s"
     if tie.curve is None and tie.locked > begin:
         earlier = run.expected_motion.of[a.index][i - 1]
@@ -60,7 +60,7 @@ def check_tie(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order
             return
 
 
-def _check_chase(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, end: float) -> None:
+def _check_chase(proof: Proof, run: RunRecords, a: Axis, i: int, order: Order, end: float) -> None:
     """Check that a slave changes velocity at its rates until it reaches the ratio's."""
     tie = order.tie
     assert tie is not None
@@ -81,7 +81,7 @@ def _check_chase(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Or
     uses.report(order.line, f"axis {a.index} from {a.starts[i]:.6f} s", " counts")
 
 
-def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> list[float]:
+def _moments(a: Axis, master: Axis, begin: float, end: float) -> list[float]:
     """Return the ends of stretches on which master and slave have a single piece each.
 
     For the first stretches four times in between are added.
@@ -97,7 +97,7 @@ def _moments(a: WholeTrack, master: WholeTrack, begin: float, end: float) -> lis
     return sorted((*ordered[1:], *inside))
 
 
-def _check_table(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, curve: Profile) -> None:
+def _check_table(proof: Proof, run: RunRecords, a: Axis, i: int, order: Order, curve: Profile) -> None:
     """Check that the curve passes through its table.
 
     In between it is straight, or has a linearly changing slope.
@@ -143,9 +143,7 @@ def _check_table(proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Or
         _check_segment(proof, run, a, i, order, curve)
 
 
-def _check_segment(
-    proof: Proof, run: RunRecords, a: WholeTrack, i: int, order: Order, curve: Profile
-) -> None:
+def _check_segment(proof: Proof, run: RunRecords, a: Axis, i: int, order: Order, curve: Profile) -> None:
     """Check a flying shear's ratio: linear, from the previous ratio or 0."""
     tie = order.tie
     assert tie is not None
@@ -174,7 +172,7 @@ def _wanted(tie: Tie, curve: Profile, along: float) -> float:
     return values[k] + slope * (along - positions[k])
 
 
-def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def check_points(proof: Proof, a: Axis, i: int, order: Order) -> None:
     """Check that a profile through points has the given position and velocity at each.
 
     Between two points it is one cubic.
@@ -201,7 +199,7 @@ def check_points(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
                 return
 
 
-def check_reference(proof: Proof, a: WholeTrack, i: int, order: Order) -> None:
+def check_reference(proof: Proof, a: Axis, i: int, order: Order) -> None:
     """Check that a reference ends at its position, or reaches its speed by its slopes."""
     profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
     if order.slopes is None:
@@ -240,11 +238,11 @@ def _on(curve: Profile, along: float) -> float:
     return p + slope * (along - x)
 
 
-def _offset(run: RunRecords, a: WholeTrack, time: float) -> float:
+def _offset(run: RunRecords, a: Axis, time: float) -> float:
     offsets = run.offsets.get(a.index)
     return 0.0 if offsets is None else offsets.travelled(time)
 
 
-def _offset_moves(run: RunRecords, a: WholeTrack, time: float) -> bool:
+def _offset_moves(run: RunRecords, a: Axis, time: float) -> bool:
     offsets = run.offsets.get(a.index)
     return offsets is not None and offsets.is_active_at(time)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from itertools import zip_longest
 from math import isfinite
 
-from motionlang.kernel import WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tracks import Samples
 from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords, position
@@ -61,7 +61,7 @@ def _check_row(proof: Proof, run: RunRecords, row: Mapping[str, object], move: L
 
 
 def _check_peak(
-    proof: Proof, run: RunRecords, a: WholeTrack, reported: float, time: tuple[float, float], line: int
+    proof: Proof, run: RunRecords, a: Axis, reported: float, time: tuple[float, float], line: int
 ) -> None:
     """Check the reported peak speed of a move against the speeds on its track."""
     begin, finish = time[0], min(time[1], run.until)
@@ -110,6 +110,6 @@ def check_trace(proof: Proof, run: RunRecords, samples: Samples) -> None:
                 break
 
 
-def _speed(a: WholeTrack, time: float) -> float:
+def _speed(a: Axis, time: float) -> float:
     i = a.index_at(time)
     return abs(a.profiles[i].velocity(time - a.starts[i]))

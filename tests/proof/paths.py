@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import inf, nextafter
 
-from motionlang.kernel import WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
 from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
@@ -18,7 +18,7 @@ from tests.proof.segments import Span
 MAX_OVERLAP = 2
 
 
-def check_path(proof: Proof, run: RunRecords, master: WholeTrack, i: int, order: Order, end: float) -> None:
+def check_path(proof: Proof, run: RunRecords, master: Axis, i: int, order: Order, end: float) -> None:
     """Check geometry, speed, acceleration and axis limits of a path for one profile."""
     path = order.path
     assert path is not None
@@ -52,9 +52,7 @@ def check_path(proof: Proof, run: RunRecords, master: WholeTrack, i: int, order:
         check_along(proof, order, plan, layout, along, where, fresh)
 
 
-def check_blended(
-    proof: Proof, run: RunRecords, master: WholeTrack, i: int, order: Order, end: float
-) -> None:
+def check_blended(proof: Proof, run: RunRecords, master: Axis, i: int, order: Order, end: float) -> None:
     """Check the earlier paths that are blended with a profile's path while the profile is in force."""
     path, begin = order.path, master.starts[i]
     assert path is not None
@@ -95,7 +93,7 @@ def rest_along(run: RunRecords, order: Order, begin: float, length: float) -> tu
     return layout, spans_along([(profile, begin - path.begun) for profile in profiles], layout, length)
 
 
-def _speeds_up(run: RunRecords, order: Order, path: PathOrder, master: WholeTrack, i: int) -> bool:
+def _speeds_up(run: RunRecords, order: Order, path: PathOrder, master: Axis, i: int) -> bool:
     """True if the previous path was not slowing down for one that begins too fast."""
     earlier = run.expected_motion.of[master.index][i - 1].path
     if earlier is None or earlier.comes_to_rest or earlier.members != path.members:
@@ -114,7 +112,7 @@ def _speeds_up(run: RunRecords, order: Order, path: PathOrder, master: WholeTrac
     return power >= 0.0 and first < last * (1.0 - SLACK)
 
 
-def in_force(run: RunRecords, master: WholeTrack, i: int, order: Order, is_blended: bool = False) -> Order:
+def in_force(run: RunRecords, master: Axis, i: int, order: Order, is_blended: bool = False) -> Order:
     """Return the order of a path at profile i, with the rates of the plans that it may continue.
 
     A stop that comes too late continues the plan before it, and a path that is resumed may complete its stop. One that
@@ -130,7 +128,7 @@ def in_force(run: RunRecords, master: WholeTrack, i: int, order: Order, is_blend
     return found
 
 
-def _orders_before(run: RunRecords, master: WholeTrack, i: int, order: Order) -> Iterator[Order]:
+def _orders_before(run: RunRecords, master: Axis, i: int, order: Order) -> Iterator[Order]:
     """Yield the earlier orders of a path, the last one first; it may have been blended with another one."""
     assert order.path is not None
     for k in range(i - 1, -1, -1):

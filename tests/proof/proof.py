@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from motionlang.kernel import Run
 from motionlang.kernel.report import moves
-from motionlang.kernel.tracks import Recorded
 from tests.proof.checker import Proof
 from tests.proof.checks import prove
 from tests.proof.expected_motion import ExpectedMotion
@@ -18,6 +17,6 @@ def proof(run: Run, views: bool = True) -> Proof:
     """
     expected = ExpectedMotion.of_run(run)
     if not views:
-        return prove(Recorded(run.controller), expected, run.time)
+        return prove(run.controller, expected, run.time)
     samples = run.trace.sample(ROWS / run.time) if run.time > 0.0 else None
-    return prove(Recorded(run.controller), expected, run.time, moves(run), samples)
+    return prove(run.controller, expected, run.time, moves(run), samples)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from math import copysign, inf
 
-from motionlang.kernel import WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.planners import Profile
 from tests.proof.axes import check_bounds
 from tests.proof.checker import SLACK, Proof, RunRecords
@@ -34,7 +34,7 @@ def check_settings(proof: Proof, run: RunRecords) -> None:
             _check_setting(proof, run, a, i, order, wanted, (time, end))
 
 
-def _check_late(proof: Proof, a: WholeTrack, i: int, wanted: Order) -> None:
+def _check_late(proof: Proof, a: Axis, i: int, wanted: Order) -> None:
     if wanted.kind == "move" and _could_stop(wanted, a.profiles[i], 0.0):
         where = f"axis {a.index} at {a.starts[i]:.6f} s"
         proof.breaks(wanted.line, f"{where}: it keeps its rates, commanded {wanted.rates[1]:g} counts/s²")
@@ -45,7 +45,7 @@ def _check_late(proof: Proof, a: WholeTrack, i: int, wanted: Order) -> None:
 def _check_setting(
     proof: Proof,
     run: RunRecords,
-    a: WholeTrack,
+    a: Axis,
     i: int,
     order: Order,
     wanted: Order,

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from motionlang.kernel import Diagnostic, Run, Source, report, run
+from motionlang.kernel.log import Event
 from motionlang.kernel.report import SCHEMA, _axis, build, failure, moves, text
 from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
@@ -185,8 +186,8 @@ def test_an_event_has_the_line_of_its_offset() -> None:
     """The second PRINT is behind a line of 8 characters."""
     result = run(Source("a.mnt", "PRINT 1\nPRINT 2\n"))
     for at in (0, 8, -1):
-        result.machine.log.events.add((0.5, "wait", None, None, None, at, 0, ""))
-    result.machine.log.events.add((0.5, "wait", 0, 0.0, 0.0, 8, 2, "why"))
+        result.machine.log.events.add(Event(0.5, "wait", None, None, None, at, 0, ""))
+    result.machine.log.events.add(Event(0.5, "wait", 0, 0.0, 0.0, 8, 2, "why"))
     rows = [{"time": 0.5, "kind": "wait", "line": line} for line in (1, 2, 0)]
     more: dict[str, object] = {"axis": 0, "value": 0.0, "limit": 0.0, "commanded_by": 2, "text": "why"}
     assert build(result)["events"] == [*rows, rows[1] | more]

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import inf
 
-from motionlang.kernel import Axis, WholeTrack
+from motionlang.kernel import Axis
 from motionlang.kernel.planners import (
     MotionState,
     Profile,
@@ -115,10 +115,9 @@ def peak_speed(a: Axis, until: float) -> float:
 
 def _track(a: Axis, until: float) -> Iterator[tuple[float, float, Profile]]:
     """Yield the start of each profile, how long it was in force, and the profile."""
-    track = WholeTrack(a)
-    starts = iter(track.starts)
+    starts = iter(a.starts)
     begin = next(starts)
-    for profile in track.profiles:
+    for profile in a.profiles:
         end = min(next(starts, inf), until)
         if end > begin:
             yield begin, end - begin, profile

@@ -17,7 +17,7 @@ the log, which state what each move covers. `verify_motion` reads both once, in 
 
 Extrema of polynomials and waves are found in closed form; a motion that is a formula is compared at points.
 
-Cost. One pass over the log, and one over the profiles of each axis; packed records are read chunk by chunk.
+Cost. One pass over the log, and one over the profiles of each axis.
 """
 
 from __future__ import annotations
@@ -28,11 +28,10 @@ from math import acos, ceil, copysign, cos, floor, fsum, inf, isfinite, nextafte
 from typing import NamedTuple
 
 from motionlang.commands.certify import CertifiedLimit
-from motionlang.kernel import Axis, Controller, Diagnostic, WholeTrack
+from motionlang.kernel import Axis, Controller, Diagnostic
 from motionlang.kernel.controller import Playback
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Piece, Profile
-from motionlang.kernel.tracks import Recorded
 
 # The fraction of the largest figure that rounding may amount to, and the relative error of a time.
 SLACK, ROUNDED = 1e-6, 1.6e-15
@@ -59,13 +58,11 @@ class VerifiedMotion:
 
 def verify_motion(controller: Controller, lines: Sequence[CertifiedLimit], until: float) -> VerifiedMotion:
     """Verify the motion of all axes up to a time; `lines` are those of the certificate."""
-    found, recorded, log = VerifiedMotion(), Recorded(controller), controller.log
+    found, log = VerifiedMotion(), controller.log
     causes = {(each.axis, each.time): each.text for each in log.events if each.kind == "velocity jump"}
-    axes = {
-        n: _Side(found, controller.axes[n], track, lines, causes, until) for n, track in recorded.axes.items()
-    }
+    axes = {n: _Side(found, a, lines, causes, until) for n, a in controller.axes.items()}
     begun: list[LoggedMove] = []  # the entries that begin at one time
-    for move in recorded.moves:
+    for move in log.moves:
         if begun and move.start_time != begun[0].start_time:
             _report_jumps(found, axes, begun)
             begun.clear()
@@ -96,7 +93,6 @@ class _Side:
         self,
         found: VerifiedMotion,
         a: Axis,
-        track: WholeTrack,
         lines: Sequence[CertifiedLimit],
         causes: Mapping[tuple[int | None, float], str],
         until: float,
@@ -107,7 +103,7 @@ class _Side:
         self.ended: list[LoggedMove] = []  # those that have ended last
         self.line = 0  # that of the last entry
         self._is_stepper = self._is_superposed = False
-        self._following = zip(track.starts, track.profiles, strict=False)
+        self._following = zip(a.starts, a.profiles, strict=False)
         self._start, self._profile = next(self._following)
         self._next = next(self._following, None)
         self._before = (self._start, self._profile)  # the profile in force before the present one

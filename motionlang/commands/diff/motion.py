@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.kernel import Axis, Run, WholeTrack
+from motionlang.kernel import Axis, Run
 from motionlang.kernel.planners import PieceTable, piece_values
 from motionlang.kernel.tools import bisected
 
@@ -89,9 +89,8 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | Non
 
 def _table(axis: Axis, edges: Sequence[float]) -> PieceTable:
     """Return the pieces of an axis between the outer edges."""
-    track = WholeTrack(axis)
-    some = slice(max(track.index_at(edges[0]) - 1, 0), track.index_at(edges[-1]) + 1)
-    return PieceTable(track.starts[some], track.profiles[some])
+    some = slice(max(axis.index_at(edges[0]) - 1, 0), axis.index_at(edges[-1]) + 1)
+    return PieceTable(axis.starts[some], axis.profiles[some])
 
 
 def _times(tables: Sequence[PieceTable], counts: Sequence[float], edges: Array) -> list[float]:
@@ -150,9 +149,8 @@ def _edges(a: Axis, b: Axis, end: float) -> list[float]:
 
     Only starts up to `end` are included, and `end` itself.
     """
-    tracks = WholeTrack(a), WholeTrack(b)
     same = 0
-    pairs = zip(tracks[0].starts, tracks[0].profiles, tracks[1].starts, tracks[1].profiles, strict=False)
+    pairs = zip(a.starts, a.profiles, b.starts, b.profiles, strict=False)
     for start, profile, other_start, other in pairs:
         if (start, profile.start, profile.end, profile.duration, profile._recipe) != (
             other_start, other.start, other.end, other.duration, other._recipe
@@ -160,5 +158,5 @@ def _edges(a: Axis, b: Axis, end: float) -> list[float]:
             break
         same += 1
     same = max(same - 1, 0)
-    starts = sorted({*list(tracks[0].starts)[same:], *list(tracks[1].starts)[same:], end})
+    starts = sorted({*a.starts[same:], *b.starts[same:], end})
     return starts[: bisect_right(starts, end)]

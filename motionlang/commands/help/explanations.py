@@ -204,7 +204,7 @@ FIXES: dict[str, str] = {
     "not-primed": "read an error with ERRORREADNEXT first",
     "event": "raise an event that exists and has a handler",
     "recursion": "end the recursion with a condition",
-    "limit": "end the run sooner with --until, or allow a larger log with run.log",
+    "limit": "end the run sooner with --until",
     "golden": "if the change is intended, motionlang verify --update FILE accepts it",
     "beyond-limit": "reduce the speed or the rate at the line that the certificate names, or correct the limit",
     "interrupted": "end the run with --until S, or give it more processor time with --cpu S; a sweep continues with "

@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 from motionlang.kernel import Run
 from motionlang.kernel.planners import Profile, Recipe, named_ramps
-from motionlang.kernel.tracks import Recorded
 
 # The name of a link in each phase of a move, and the duration of the phase, s.
 Phases = tuple[tuple[str, float], ...]
@@ -46,7 +45,7 @@ class Motions:
 
     def __init__(self, run: Run) -> None:
         self.moves: list[Motion] = []
-        self._tracks = Recorded(run.controller).axes
+        self._tracks = run.controller.axes
         for move in run.controller.log.moves:
             profile = move.profile
             if profile is not None:

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Any
 from motionlang.commands.profile.critical_path import Link
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.source_positions import SourcePositions
-from motionlang.kernel import Controller, Run, WholeTrack
+from motionlang.kernel import Controller, Run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log import GRAVE
 from motionlang.kernel.planners import Piece, pieces_of
@@ -274,8 +274,7 @@ def _track(controller: Controller, axis: int) -> tuple[Row, bool]:
     Each piece has its start, its cubic, and its wave if it has one.
     """
     a = controller.axes[axis]
-    track = WholeTrack(a)
-    starts, pieces = pieces_of(track.starts, track.profiles)
+    starts, pieces = pieces_of(a.starts, a.profiles)
     used = max(1, bisect_right(starts, controller.clock.now))
     starts, pieces = starts[:used], pieces[:used]
     positions, *others, amplitudes, _, _ = zip(*pieces, strict=True)

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from motionlang.ide.debug.expressions import Expression, WrongExpression, parse
-from motionlang.kernel import INFINITY, Machine, WholeTrack
+from motionlang.kernel import INFINITY, Machine
 from motionlang.kernel.log import Changed, Switched
 from motionlang.kernel.tools import bisected
 
@@ -164,14 +164,14 @@ def _stops(machine: Machine, number: int, after: float, until: float) -> Iterato
     axis = machine.controller.axes.get(number)
     if axis is None:
         return
-    track = WholeTrack(axis)
-    starts, profiles = track.between(after, until)
+    first = max(axis.index_at(after), 0)
+    starts, profiles = axis.starts[first:], axis.profiles[first:]
     for k, (start, profile) in enumerate(zip(starts, profiles, strict=True)):
         end = min(start + profile.duration, starts[k + 1] if k + 1 < len(starts) else INFINITY)
         moved = profile.duration > 0 and any(
             profile.velocity(profile.duration * fraction) for fraction in (0.25, 0.5, 0.75)
         )
-        if moved and after < end <= until and abs(track.at(end + RESOLUTION).velocity) < RESOLUTION:
+        if moved and after < end <= until and abs(axis.at(end + RESOLUTION).velocity) < RESOLUTION:
             yield Occurrence(end, f"axis {number} stops")
 
 
@@ -203,7 +203,6 @@ class Past:
 
     def __init__(self, machine: Machine, time: float) -> None:
         self._machine, self.time = machine, time
-        self._tracks: dict[int, WholeTrack] = {}
 
     def variable(self, name: str, subscripts: list[float]) -> float | None:
         """Return None: the log has no variables."""
@@ -221,22 +220,15 @@ class Past:
                 if each.channel == number and each.time <= self.time:
                     return each.value
             return 0.0
-        track = self._track(number)
-        state = track.at(self.time)
+        axis = self._machine.controller.axes.get(number)
+        if axis is None:
+            raise WrongExpression(f"there is no axis {number}")
+        state = axis.at(self.time)
         if what == "velocity":
-            return track.scale.to_user(state.velocity, "uu/s")
+            return axis.scale.to_user(state.velocity, "uu/s")
         if what == "idle":
             return float(state.velocity == 0.0)
-        return track.scale.position_to_user(state.position)
-
-    def _track(self, number: int) -> WholeTrack:
-        found = self._tracks.get(number)
-        if found is None:
-            axis = self._machine.controller.axes.get(number)
-            if axis is None:
-                raise WrongExpression(f"there is no axis {number}")
-            found = self._tracks[number] = WholeTrack(axis)
-        return found
+        return axis.scale.position_to_user(state.position)
 
 
 def _becomes_true(
@@ -262,8 +254,8 @@ def _samples(machine: Machine, after: float, until: float) -> list[float]:
     for log in (machine.log.inputs, machine.log.outputs):
         found.update(each.time for each in _since(log, after))
     for axis in machine.controller.axes.values():
-        starts, profiles = WholeTrack(axis).between(after, until)
-        for start, profile in zip(starts, profiles, strict=True):
+        first = max(axis.index_at(after), 0)
+        for start, profile in zip(axis.starts[first:], axis.profiles[first:], strict=True):
             length = min(profile.duration, until - start)
             if start + length > after:
                 found.update(start + length * k / SAMPLES for k in range(SAMPLES + 1))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.ide.debug.expressions import WrongExpression
-from motionlang.kernel import INFINITY, Axis, Controller, Hook, Machine, Task, Variable, WholeTrack
+from motionlang.kernel import INFINITY, Axis, Controller, Hook, Machine, Task, Variable
 from motionlang.kernel.controller import Channels, fault_names
 from motionlang.kernel.lang import Frame
 from motionlang.kernel.log import LoggedMove
@@ -136,14 +136,13 @@ def _earlier(axis: Axis, moment: float | None) -> list[Variable]:
     """Return position and velocity of an axis at a moment before the stop."""
     if moment is None:
         return []
-    track = WholeTrack(axis)
-    state = track.at(moment) if track.index_at(moment) >= 0 else None
+    state = axis.at(moment) if axis.index_at(moment) >= 0 else None
     if state is None:
         return []
     when = f"at {moment:.9g} s"
     return [
-        Variable(f"position {when}", "uu", track.scale.position_to_user(state.position)),
-        Variable(f"velocity {when}", "uu/s", track.scale.to_user(state.velocity, "uu/s")),
+        Variable(f"position {when}", "uu", axis.scale.position_to_user(state.position)),
+        Variable(f"velocity {when}", "uu/s", axis.scale.to_user(state.velocity, "uu/s")),
     ]
 
 

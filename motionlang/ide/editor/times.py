@@ -14,8 +14,6 @@ from motionlang.kernel import CheckedSettings, Run, end_of, run
 
 # The machine time after which a run ends here, s: most programs of machines have no end of their own.
 MAX_TIME = 600.0
-# The size of the log on disk, GB. A run for hints stays in memory.
-_LOG_SIZE = 0.0
 
 
 @dataclass(eq=False, slots=True)
@@ -78,7 +76,6 @@ def times(page: Page) -> Times:
         machine=settings,
         until=min(end_of(settings), MAX_TIME),
         keep_crash=True,
-        log_size=_LOG_SIZE,
     )
     if result.program is None:
         return NO_TIMES

@@ -2,7 +2,7 @@
 
 The motion is never sampled while the machine runs. `starts[i]` is the time at which `profiles[i]` began. The
 last profile never ends (it rests at its end position, or continues at its end velocity), so position and
-velocity are known exactly at any time. Older profiles are packed in the log (`kernel/log/log.py`).
+velocity are known exactly at any time.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.scale import Scale
-from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.planners import MotionState, Profile, hold
 from motionlang.kernel.planners.limits import LARGEST
 
@@ -91,7 +90,6 @@ class Axis:
         "move",
         "move_id",
         "offset_status",
-        "older",
         "override",
         "own_rates",
         "present",
@@ -111,7 +109,7 @@ class Axis:
     )
 
     # The attributes that `cut` restores.
-    GROWING = ("starts", "profiles", "older")
+    GROWING = ("starts", "profiles")
 
     def __init__(self, index: int, controller: ControllerState) -> None:
         self.index, self.controller, self.clock = index, controller, controller.clock
@@ -172,8 +170,6 @@ class Axis:
         # The last profile, by which readers know that their cache is valid. None if it is not on the track
         # yet.
         self.present: Profile | None = self.profiles[-1]
-        # Profiles that began before those, packed.
-        self.older: Profiles | None = None
         # In order of creation.
         self.watches: dict[Watch, None] = {}
         # When the axis was last known to be exactly at a position, that position, and its profile.
@@ -212,8 +208,7 @@ class Axis:
 
     def extent(self) -> tuple[int, float, Profile]:
         """Return what `cut` needs to drop all profiles that are added from now on."""
-        older = 0 if self.older is None else self.older.count
-        return older + len(self.starts), self.starts[-1], self.profiles[-1]
+        return len(self.starts), self.starts[-1], self.profiles[-1]
 
     def cut(self, extent: tuple[int, float, Profile]) -> None:
         """Drop the profiles since `extent` was taken.
@@ -221,20 +216,23 @@ class Axis:
         The last one is then the same object as before, by which readers and moves know it.
         """
         count, start, last = extent
-        if self.older is not None:
-            self.older.cut_track(self, count)
-            count -= self.older.count
-            if not self.older.count:
-                self.older = None
         del self.starts[count:], self.profiles[count:]
         self.starts[-1], self.profiles[-1] = start, last
 
-    def profile(self, number: int) -> Profile:
-        """Return a profile of the track by its number since power-up."""
-        count = 0 if self.older is None else self.older.count
-        if self.older is not None and number < count:
-            return self.older.profile(number)
-        return self.profiles[number - count]
+    def forget(self, retained: int) -> list[Profile]:
+        """Drop all but about `retained` profiles, and those that the replay of a motor needs; return those dropped."""
+        count = len(self.starts) - retained
+        if count <= retained:
+            return []
+        if self.feedback is not None:
+            count = self.feedback.forget(retained)
+        dropped = self.profiles[:count]
+        del self.starts[:count], self.profiles[:count]
+        return dropped
+
+    def index_at(self, time: float) -> int:
+        """Return the index of the profile in force at a time; -1 before power-up."""
+        return bisect_right(self.starts, time) - 1
 
     def idle_reader(self) -> Callable[[], bool]:
         """Return a function that is true if no move is in progress."""
@@ -287,10 +285,7 @@ class Axis:
         starts = self.starts
         if time >= starts[-1]:
             return starts[-1], self.profiles[-1]
-        if time < starts[0] and self.older is not None:
-            k = self.older.in_force(time)
-            return self.older.start(k), self.older.profile(k)
-        i = bisect_right(starts, time) - 1
+        i = max(self.index_at(time), 0)
         return starts[i], self.profiles[i]
 
     def next_start(self, time: float) -> float:
@@ -298,9 +293,6 @@ class Axis:
         starts = self.starts
         if time >= starts[-1]:
             return INFINITY
-        if time < starts[0] and self.older is not None:
-            k = self.older.in_force(time) + 1
-            return self.older.start(k) if k < self.older.count else starts[0]
         return starts[bisect_right(starts, time)]
 
     def end_of_motion(self) -> float:

@@ -82,7 +82,7 @@ def cleared(a: Axis) -> None:
 
 def _is_listed(a: Axis, faults: int) -> bool:
     """True if faults of an axis are events: ABORT is for every axis, and is one of those that moved, if any did."""
-    moved = [each for each in a.controller.axes.values() if len(each.starts) > 1 or each.older is not None]
+    moved = [each for each in a.controller.axes.values() if len(each.starts) > 1]
     return faults != ABORT or not moved or a in moved
 
 
@@ -100,7 +100,7 @@ def check_velocity(a: Axis, profile: Profile, cause: str, move: LoggedMove | Non
     if number is not None and number[0] == about:
         log.repeated[number[1]] = log.repeated.get(number[1], 1) + 1
         return
-    log.jumps[a.index] = about, len(log.events)
+    log.jumps[a.index] = about, log.events.past
     line, text = 0 if move is None else move.line, f"{cause or 'a new motion'}, an infinite acceleration"
     log.note(now, "velocity jump", a.index, _speed(a, before), _speed(a, after), line, text)
 

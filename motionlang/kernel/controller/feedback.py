@@ -48,7 +48,6 @@ import numpy as np
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.faults import FOLLOWING_ERROR
-from motionlang.kernel.controller.joined import Followed
 from motionlang.kernel.controller.queue.stop import freeze
 from motionlang.kernel.controller.queue.track import extend_track
 from motionlang.kernel.controller.watch import Watch, margin, watched_position
@@ -100,15 +99,19 @@ class Feedback:
         self.tripped: Callable[[], None] = lambda: None
         self.closed = True
         self.demand_shift = 0.0  # total distance by which the demand was moved to the motor, counts
-        # All changes to the loop, by time, as a replay needs them.
+        # The changes to the loop since `origin`, by time, as a replay needs them.
         self.changes: list[Change] = []
         self.chosen: Chosen | None = None
-        self.first_loop: Loop | None = None
         self.windows = {
             "rest": SettlingWindow(error=REST_ERROR, hold=REST_TIME, announced=False),
             "program": SettlingWindow(error=0.5, announced=False),
         }
         self._gains: Gains = {}
+        # The servo with which a replay begins, and the one with which it will begin once older history is dropped; the
+        # numbers of changes and profiles that there were then.
+        self._origin: Servo | None = None
+        self._next_origin: Servo | None = None
+        self._past = 0, 0
         # The servo after the last sample computed, and as it was before the last block.
         self._servo: Servo | None = None
         self._before: Servo | None = None
@@ -272,7 +275,7 @@ class Feedback:
         axis.target = here
         extend_track(axis, hold(here))
         self.closed = True
-        self._do(len(Followed(axis).starts) - 1)
+        self._do(len(axis.starts) - 1)
 
     def changed(self) -> None:
         """Handle a new profile of the axis."""
@@ -329,6 +332,37 @@ class Feedback:
             apply(self._servo, (self._clock.now, what))
         self.changes.append((self._clock.now, what))
 
+    # ------------------------------------------------------------------------------------------------ history
+
+    def origin(self) -> Servo:
+        """Return a servo for a replay: as it was at power-up, or when older history was dropped."""
+        assert self._origin is not None
+        return self._origin.replayed()
+
+    def forget(self, retained: int) -> int:
+        """Return how many of the oldest profiles no replay needs any more, and drop the changes of their time.
+
+        After `retained` profiles the servo of the present moment is stored. It is the origin of replays after
+        `retained` further ones.
+        """
+        profiles = len(self._axis.starts)
+        if self._servo is None or profiles - self._past[1] < retained:
+            return 0
+        self._forget()
+        origin, (changes, _) = self._next_origin, self._past
+        self._next_origin, self._past = self._servo.replayed(), (len(self.changes), profiles)
+        if origin is None:
+            return 0
+        self._origin = origin
+        count = max(origin.in_force_at(origin.time) - 1, 0)
+        for servo in (origin, self._next_origin, self._servo):
+            servo.drop(count)
+        self.changes = [
+            (time, what - count if isinstance(what, int) else what) for time, what in self.changes[changes:]
+        ]
+        self._past = len(self.changes), profiles - count
+        return count
+
     def extent(self) -> int:
         """Return what `cut` needs to drop all changes that are added from now on."""
         return len(self.changes)
@@ -364,8 +398,8 @@ class Feedback:
         if self._servo is not None:
             return
         self.chosen = self._choose()
-        self.first_loop = self.chosen.loop
-        self._servo = servo = Servo(self.first_loop, self.plant, Followed(self._axis))
+        servo = Servo(self.chosen.loop, self.plant, self._axis)
+        self._servo, self._origin = servo, servo.replayed()
         last = None
         for change in self.changes:
             last = run_to(servo, sample_at(change[0], self._rate)) or last

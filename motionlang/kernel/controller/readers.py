@@ -16,6 +16,7 @@ from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.readings import Readings
 from motionlang.kernel.controller.scale import POWERS, Scale
 from motionlang.kernel.controller.settings import LIVE, SETTINGS, configure
+from motionlang.kernel.log.records import ChangedSetting
 from motionlang.kernel.planners import Profile
 
 Reader = Callable[..., Any]
@@ -180,7 +181,7 @@ def writer(a: Axis, name: str, unit: str = "") -> Writer:
             configure(a, name, value)
             return
         if getattr(a, name) != value:
-            add((clock.now, axis, name, value))
+            add(ChangedSetting(clock.now, axis, name, value))
         setattr(a, name, value)
         if time:
             setattr(a, time, None)

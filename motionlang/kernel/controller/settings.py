@@ -12,6 +12,7 @@ from motionlang.kernel.controller.events import note, too_late
 from motionlang.kernel.controller.queue.life import continue_with, replan_move
 from motionlang.kernel.controller.queue.plan import plan_move
 from motionlang.kernel.log.move import LoggedMove
+from motionlang.kernel.log.records import ChangedSetting
 from motionlang.kernel.planners import Profile
 
 # All that a language may set.
@@ -78,7 +79,7 @@ def configure(a: Axis, name: str, value: object) -> None:
         note(a, "override", float(value))  # type: ignore[arg-type]
     log = a.controller.log
     if getattr(a, name) != value:
-        log.settings.add((a.clock.now, a.index, name, value))
+        log.settings.add(ChangedSetting(a.clock.now, a.index, name, value))
     setattr(a, name, value)
     if name == "speed" and not value:
         a.zeroed_at = log.where()

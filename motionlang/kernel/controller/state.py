@@ -95,14 +95,9 @@ class ControllerState:
         """Return a block that starts several axes; conditions are checked at its end."""
         return Together(self)
 
-    def make_room(self) -> None:
-        """Pack old profiles of all tracks to free memory."""
-        self.log.make_room((*self.axes.values(), *self.encoders.values()))
-
     def finish_updates(self) -> None:
         """Roll back or finish partial updates after an interrupt."""
         axes = (*self.axes.values(), *self.encoders.values())
-        self.log.finish_updates(axes)
         for a in axes:
             del a.starts[len(a.profiles) :]
         self.motion_listener.finish_updates()

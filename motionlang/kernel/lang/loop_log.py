@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.lang.task import MIN_STATEMENTS
+from motionlang.kernel.log.records import Looped
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.step_task import StepTask
@@ -81,7 +82,7 @@ class LoopLog:
         task, time = self._task, self._task.time
         if base is time.base and time.count - count > MIN_STATEMENTS:
             since = base + count * time.cost
-            task.machine.log.loops.add((task.name, at, since, task.now, (*task.stack[:-1], caller)))
+            task.machine.log.loops.add(Looped(task.name, at, since, task.now, (*task.stack[:-1], caller)))
 
     def back(self, last: int, target: int) -> None:
         """Record a jump back from step `last` to step `target`."""
@@ -147,4 +148,4 @@ class LoopLog:
         if loop.at >= 0 and base is task.time.base and task.time.count - count <= MIN_STATEMENTS:
             return  # a difference of times would round
         if task.now - loop.since > MIN_STATEMENTS * task.time.cost:
-            task.machine.log.loops.add((task.name, loop.offset, loop.since, task.now, loop.callers))
+            task.machine.log.loops.add(Looped(task.name, loop.offset, loop.since, task.now, loop.callers))

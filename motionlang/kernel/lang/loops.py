@@ -357,7 +357,7 @@ class Loops:
         now.margins = Mark(self._margins, len(self._margins))
         now.delays = Mark(self._delays, len(self._delays))
         if now.switched != self._switched:
-            self._switched, now.lengths = now.switched, list(map(len, self.machine.log.streams()))
+            self._switched, now.lengths = now.switched, [each.past for each in self.machine.log.streams()]
         scheduler = self.machine.scheduler
         if self.task is not None and scheduler is not None and len(scheduler.tasks) > 1:
             self.machine.log.slices.so_far(self.task.name, scheduler.began, self.time.at(now.t))
@@ -532,9 +532,9 @@ class Loops:
             return -1
         first = -1
         for stream, length in zip(log.streams(), last.lengths, strict=False):
-            if stream is log.outputs and len(stream) - length <= MAX_ROWS:
+            if stream is log.outputs and stream.past - length <= MAX_ROWS:
                 first = length
-            elif len(stream) != length:
+            elif stream.past != length:
                 return -1
         return first
 

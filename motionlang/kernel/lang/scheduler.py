@@ -53,6 +53,7 @@ from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
 from motionlang.kernel.lang.waits import ROUNDING, Wait
+from motionlang.kernel.log.records import Waited
 
 
 class Outside(Protocol):
@@ -357,7 +358,7 @@ class Scheduler:
         self.current = running
         return first
 
-    def waited(self, wait: tuple[object, ...]) -> None:
+    def waited(self, wait: Waited) -> None:
         """Write the record of a completed wait to the log."""
         log = self._log
         log.waits.add(wait)

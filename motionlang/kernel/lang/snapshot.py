@@ -51,7 +51,6 @@ from typing import Any
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.steps import Steps
-from motionlang.kernel.log.stream import Store
 
 # Types of the language and the library whose objects never change or are the same in every run.
 _ATOMS = (
@@ -66,9 +65,9 @@ CONSTANT = (
     "motionlang.kernel.planners.", "motionlang.kernel.source", "motionlang.kernel.lang.keyword",
     "motionlang.kernel.mint.syntax.", "motionlang.kernel.mccl.resolve.", "lark.",
 )  # fmt: skip
-# The debugger, which is not part of the run. A store has the chunks of streams, which drop them in `cut`.
+# The debugger, which is not part of the run.
 OUTSIDE = ("motionlang.ide.debug.",)
-_OUTSIDE_TYPES = (Hook, Store)
+_OUTSIDE_TYPES = (Hook,)
 
 
 class Snapshot:
@@ -81,12 +80,10 @@ class Snapshot:
     constant: tuple[type, ...] = (Steps, Program)
 
     def __init__(self, root: object) -> None:
-        # In this order, since a packed move is read from the track of its axis.
         self._cuts: list[Callable[[], object]] = []
         self._contents: list[Callable[[], object]] = []
         self.size = 0
         self._walk(root)
-        self._cuts.sort(key=lambda cut: "older" in cut.func.__self__.GROWING)  # type: ignore[attr-defined]
 
     def restore(self) -> None:
         """Put the contents back."""

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.log.records import Waited
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.waits import Wait
@@ -72,11 +73,11 @@ class Task:
         """
         return ()
 
-    def waited(self, wait: Wait, until: float) -> tuple[object, ...]:
-        """Return the record of a completed wait, in the form of `record.records.Waited`."""
+    def waited(self, wait: Wait, until: float) -> Waited:
+        """Return the record of a completed wait."""
         *callers, at = self.stack
         why = "" if wait.cause == "time" else wait.why
-        return self.name, at, wait.since, until, wait.cause, wait.what, why, tuple(callers)
+        return Waited(self.name, at, wait.since, until, wait.cause, wait.what, why, tuple(callers))
 
     @property
     def running(self) -> bool:

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.log.records import Printed as Printed
     from motionlang.kernel.log.records import Switched as Switched
     from motionlang.kernel.log.records import Waited as Waited
-    from motionlang.kernel.log.stream import Store as Store
     from motionlang.kernel.log.stream import Stream as Stream
 
 PUBLIC = {
@@ -26,7 +25,7 @@ PUBLIC = {
     "log": "Log",
     "move": "LoggedMove CONTINUED MAX_PIECES",
     "records": "Event Waited Switched Changed Printed GRAVE",
-    "stream": "Stream Store",
+    "stream": "Stream",
 }
 
 if not TYPE_CHECKING:

@@ -204,7 +204,7 @@ def cycle_so_far(
     """
     newest = Log()
     newest.callers = log.callers
-    for move in log.moves.newest(MAX_NEWEST):
+    for move in log.moves[-MAX_NEWEST:]:
         newest.moves.add(move)
     return cycle(newest, now, False, lambda at: 0, owner, homes)
 
@@ -243,7 +243,7 @@ class _Seen:
         last: dict[int, float] = {}  # the time of the last move of each line
         owners: dict[tuple[int, int], str | None] = {}
         parts: dict[tuple[object, ...], int] = {}
-        for row in log.moves.rows():
+        for row in log.moves:
             axis, command, line, time = row.axis, row.command, row.line, row.start_time
             goes_on = axis in continued
             if row.ended == CONTINUED:

@@ -1,17 +1,15 @@
 """The log of a run: all records in order, by kind.
 
-Report, trace and proof read nothing else. The log only grows. Records are columns (`stream.py`), in memory and then in
-an unnamed file, so the memory of a run does not depend on its length.
+Report, trace and proof read nothing else. The log only grows.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.log.moves import LoggedMoves
-from motionlang.kernel.log.profiles import Profiles
 from motionlang.kernel.log.records import (
     Changed,
     ChangedSetting,
@@ -23,26 +21,23 @@ from motionlang.kernel.log.records import (
     Waited,
     Zeroed,
 )
-from motionlang.kernel.log.stream import DISK, Store, Stream
+from motionlang.kernel.log.stream import Budget, Stream, records_of
 from motionlang.kernel.log.time_slices import Mark as SliceMark
 from motionlang.kernel.log.time_slices import TimeSliceStream
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis
+    from motionlang.kernel.planners import Profile
 
 # How many waits and time slices there are.
 Mark = tuple[int, SliceMark]
 
-# Profiles of all axes together that are not packed; fewer if motors follow some, whose pieces exist; and
-# those of each axis that are never packed.
-MAX_PROFILES, MAX_FOLLOWED, LEFT_PROFILES = 40_960, 10_240, 512
-# The number of profiles after which a loop that starts motion after motion is detected: more than one in half
-# a millisecond, from no more than a few lines.
-FIRST_CHECK, HURRY, FEW_LINES = 1024, 5e-4, 4
-
-
-def _most(axes: Collection[Axis]) -> int:
-    return MAX_PROFILES if all(a.feedback is None for a in axes) else MAX_FOLLOWED
+# A loop that starts motion after motion is detected after so many profiles, and at intervals: more than one in half a
+# millisecond, from no more than a few lines.
+FIRST_CHECK, INTERVAL, HURRY, FEW_LINES = 1024, 40_960, 5e-4, 4
+# The memory of a profile with its start, and of its pieces or its formula and those of its move, bytes: measured,
+# rounded up.
+PROFILE, CURVE = 420, 1400
 
 
 def nowhere() -> int:
@@ -60,8 +55,12 @@ def no_origin() -> tuple[int, int]:
     return -1, 0
 
 
+def _size(profile: Profile) -> int:
+    return PROFILE + CURVE if profile.is_large else PROFILE
+
+
 class Log:
-    """The streams of a run, all of them in one store.
+    """The streams of a run.
 
     moves      every `LoggedMove` that was started, in order of start; updated until it is over
     dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
@@ -76,27 +75,26 @@ class Log:
     prints     `Printed`, lines of the console
     events     `Event`: limits, faults, clamps, stops and the like
 
-    The profiles of an axis are in `Axis.starts` and `profiles`, the older ones packed in `Axis.older`.
-    `WholeTrack` of `kernel/tracks/track.py` reads them as one sequence.
+    The profiles of an axis are in `Axis.starts` and `profiles`.
     """
 
-    def __init__(self, disk: int = DISK) -> None:
-        self.store = store = Store(disk=disk)
-        self.moves, self.dropped = LoggedMoves(store), LoggedMoves(store)
-        self.inputs: Stream[Changed] = Stream(store, Changed)
-        self.outputs: Stream[Switched] = Stream(store, Switched)
-        self.changes_of_analogue_inputs: Stream[Changed] = Stream(store, Changed)
-        self.sampled: Stream[Sampled] = Stream(store, Sampled)
+    def __init__(self) -> None:
+        self.budget = Budget()
+        self.moves, self.dropped = LoggedMoves(self.budget), LoggedMoves(self.budget)
+        self.inputs: Stream[Changed] = Stream(self.budget)
+        self.outputs: Stream[Switched] = Stream(self.budget)
+        self.changes_of_analogue_inputs: Stream[Changed] = Stream(self.budget)
+        self.sampled: Stream[Sampled] = Stream(self.budget)
         # The changes of analogue inputs with the samples, which the controller computes.
         self.analogue_inputs: Iterable[Changed] = self.changes_of_analogue_inputs
-        self.analogue_outputs: Stream[Switched] = Stream(store, Switched)
-        self.settings: Stream[ChangedSetting] = Stream(store, ChangedSetting)
-        self.zeros: Stream[Zeroed] = Stream(store, Zeroed)
-        self.waits: Stream[Waited] = Stream(store, Waited)
-        self.loops: Stream[Looped] = Stream(store, Looped)
-        self.slices = TimeSliceStream(store)
-        self.prints: Stream[Printed] = Stream(store, Printed)
-        self.events: Stream[Event] = Stream(store, Event)
+        self.analogue_outputs: Stream[Switched] = Stream(self.budget)
+        self.settings: Stream[ChangedSetting] = Stream(self.budget)
+        self.zeros: Stream[Zeroed] = Stream(self.budget)
+        self.waits: Stream[Waited] = Stream(self.budget)
+        self.loops: Stream[Looped] = Stream(self.budget)
+        self.slices = TimeSliceStream(self.budget)
+        self.prints: Stream[Printed] = Stream(self.budget)
+        self.events: Stream[Event] = Stream(self.budget)
         # The last clamp or late rate of each axis and quantity, which is reported once, and the source offset of the
         # program.
         self.clamped: dict[tuple[int, str], tuple[int, float, float]] = {}
@@ -110,9 +108,8 @@ class Log:
         self._chains: dict[tuple[int, ...], int] = {(): 0}
         self.callers: list[tuple[int, ...]] = [()]
         self.others: list[Stream[Printed]] = []
-        # How many profiles may be made before some are packed.
-        self.room = FIRST_CHECK
-        self._is_checked = False
+        # The number of profiles so far.
+        self.profiles = 0
         # Called with a move, the number of those before it and the time from the first of them to it.
         self.hurried: Callable[[LoggedMove, int, float], object] | None = None
 
@@ -148,25 +145,26 @@ class Log:
         text: str = "",
     ) -> None:
         """Write an event with the current source offset."""
-        self.events.add((time, kind, axis, value, limit, self.where(), ordered, text))
+        self.events.add(Event(time, kind, axis, value, limit, self.where(), ordered, text))
 
     def repeat_waits(self, task: str, began: float, period: float, count: int) -> None:
         """Log that the waits of a task since `began` repeat, each `period` later.
 
         They are the waits of an iteration whose repetitions are skipped.
         """
-        mine: list[Waited] = []
-        for wait in reversed(self.waits):
+        mine: list[Any] = []
+        for row in reversed(self.waits.rows):
+            wait: Waited = next(records_of((row,)))
             if wait.until < began or wait.task != task or wait.since < began:
                 break
-            mine.append(wait)
-        self.waits.repeat(len(self.waits) - len(mine), count, period)
+            mine.append(row)
+        self.waits.repeat(self.waits.past - len(mine), count, period)
         if mine:
-            self.slices.rested(count, mine)
+            self.slices.rested(count, records_of(mine))
 
     def mark_period(self) -> Mark:
         """Return how much has been recorded of waits and time slices, for `repeat_period`."""
-        return len(self.waits), self.slices.mark()
+        return self.waits.past, self.slices.mark()
 
     def repeat_period(self, mark: Mark, began: float, now: float, until: float, times: int) -> None:
         """Log that the waits and time slices since `mark` repeat so many times.
@@ -179,34 +177,18 @@ class Log:
 
     def new_prints(self) -> Stream[Printed]:
         """Create another stream of printed lines, such as those of another terminal."""
-        made: Stream[Printed] = Stream(self.store, Printed)
+        made: Stream[Printed] = Stream(self.budget)
         self.others.append(made)
         return made
 
-    def make_room(self, axes: Collection[Axis]) -> None:
-        """Pack profiles; the first call only checks how quickly moves follow each other."""
-        self._check_hurry()
-        if not self._is_checked:
-            self._is_checked, self.room = True, _most(axes) - FIRST_CHECK
-            return
-        self.pack(axes)
+    def count_profile(self, before: Profile) -> None:
+        """Count a new profile on a track; the one before it has the pieces that were computed of it."""
+        self.budget.take(_size(before))
+        self.profiles += 1
+        if self.profiles % INTERVAL == FIRST_CHECK + 1:
+            self.check_hurry()
 
-    def pack(self, axes: Collection[Axis]) -> None:
-        """Pack the profiles of axes except the newest, after packing their moves."""
-        self.moves.pack(max(len(self.moves) - self.moves.packed - LEFT_PROFILES, 0))
-        retained = 0
-        for a in axes:
-            self._pack_profiles(a, len(a.starts) - LEFT_PROFILES)
-            retained += len(a.starts)
-        self.room = max(_most(axes) - retained, LEFT_PROFILES)
-
-    def _pack_profiles(self, a: Axis, count: int) -> None:
-        """Pack the `count` oldest profiles of an axis."""
-        if count > 0:
-            a.older = a.older or Profiles(self.store)
-            a.older.take_from(a, count)
-
-    def _check_hurry(self) -> None:
+    def check_hurry(self) -> None:
         """Report a loop that starts one motion after another without time to execute them."""
         moves, count = self.moves, min(len(self.moves), FIRST_CHECK)
         if count < FIRST_CHECK // 2 or self.hurried is None:
@@ -221,21 +203,12 @@ class Log:
         for stream in self.streams():
             stream.forget(retained)
         for a in axes:
-            if len(a.starts) > 20 * retained:
-                self._pack_profiles(a, len(a.starts) - 10 * retained)
-            if a.older is not None and self.moves:
-                a.older.forget_before(self.moves[self.moves.first].start_time)
+            self.budget.take(-sum(map(_size, a.forget(10 * retained))))
+        self.repeated = {
+            number: count for number, count in self.repeated.items() if number >= self.events.first
+        }
 
-    def finish_updates(self, axes: Iterable[Axis]) -> None:
-        """Complete or drop what an interrupt has left half done."""
-        for stream in self.streams():
-            stream.finish_updates()
-        for a in axes:
-            if a.older is not None:
-                a.older.complete(a)
-                a.older = a.older if a.older.count else None
-
-    def streams(self) -> tuple[Stream[Any] | LoggedMoves, ...]:
+    def streams(self) -> tuple[Stream[Any], ...]:
         """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self.changes_of_analogue_inputs, self.sampled,
                 self.analogue_outputs, self.settings, self.zeros, self.waits, self.loops, self.slices, self.prints,

@@ -1,13 +1,11 @@
 """The records of a log, by kind: their fields in the order of writing.
 
-A run writes plain tuples; a stream of the log stores them as columns (`columns.py`) and returns them as these types.
 Times are seconds of the machine's clock. `at` is a source position, an offset that the dialect's `locate` converts to
-line and column; `line` is a line.
+line and column, -1 if no program ran; `line` is a line. `chain` is the number of the calls that led to the statement
+(`Log.callers`).
 """
 
-from typing import Annotated, NamedTuple
-
-from motionlang.kernel.log.columns import ColumnOfTexts, Numbers, Values
+from typing import NamedTuple
 
 
 class Changed(NamedTuple):
@@ -15,15 +13,15 @@ class Changed(NamedTuple):
 
     time: float
     channel: int
-    value: Annotated[float, Values]
+    value: float
 
 
 class Switched(NamedTuple):
-    """An output changed its value; `at` is -1 if no program ran. `chain` is as in `MoveRow`."""
+    """An output changed its value."""
 
     time: float
     channel: int
-    value: Annotated[float, Values]
+    value: float
     at: int
     chain: int
 
@@ -48,10 +46,10 @@ class Sampled(NamedTuple):
 
 
 class Printed(NamedTuple):
-    """A complete line that was printed; `at` is -1 if no program ran. `chain` is as in `MoveRow`."""
+    """A complete line that was printed."""
 
     time: float
-    text: Annotated[str, ColumnOfTexts]
+    text: str
     at: int
     chain: int
 
@@ -101,7 +99,7 @@ class TimeSlices(NamedTuple):
     time: float
     until: float
     tasks: tuple[str, ...]
-    seconds: Annotated[tuple[float, ...], Numbers]
+    seconds: tuple[float, ...]
 
 
 # The kinds of events; docs/events.md defines `value` and `limit`.
@@ -165,36 +163,3 @@ class Zeroed(NamedTuple):
     time: float
     axis: int
     datum: float
-
-
-class MoveRow(NamedTuple):
-    """A move as it is stored; `acts` is true if it has an action.
-
-    Its profile is the one with this `number` on the track of its axis, or has this `form` and `numbers`.
-    `chain` is the number of the calls that led to its statement (`Log.callers`).
-    """
-
-    axis: int
-    command: str
-    line: int
-    target: float
-    commanded_speed: Annotated[float | None, Values]
-    start_time: float
-    scale: float
-    ended: str
-    zero: float
-    offset: float
-    acts: bool
-    overlaid: bool
-    number: int | None
-    form: object
-    numbers: Annotated[tuple[float, ...], Numbers]
-    chain: int
-
-
-class ProfileRow(NamedTuple):
-    """A profile of a track as it is stored."""
-
-    start: float
-    form: object
-    numbers: Annotated[tuple[float, ...], Numbers]

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from math import fsum
 
 from motionlang.kernel.log.records import TimeSlices, Waited
-from motionlang.kernel.log.stream import Store, Stream
+from motionlang.kernel.log.stream import Budget, Stream
 
 # The number of records, and how long each task has computed since the last one.
 Mark = tuple[int, dict[str, float]]
@@ -35,8 +35,8 @@ class TimeSliceStream(Stream[TimeSlices]):
     task has no records. `lives` has all tasks except the parent and handlers of events.
     """
 
-    def __init__(self, store: Store) -> None:
-        super().__init__(store, TimeSlices)
+    def __init__(self, budget: Budget) -> None:
+        super().__init__(budget)
         # How long each task has computed since one of them began or ended a wait, and the time of that.
         self.seconds: dict[str, float] = {}
         self._began = 0.0
@@ -64,7 +64,7 @@ class TimeSliceStream(Stream[TimeSlices]):
         """Record that there was only one task until now."""
         since, self._alone_since = self._alone_since, None
         if since is not None and since < now:
-            self.add((since, now, (), ()))
+            self.add(TimeSlices(since, now, (), ()))
 
     def rested(self, count: int, waits: Iterable[Waited]) -> None:
         """Record that the running task waited as often again, in skipped iterations."""
@@ -87,7 +87,7 @@ class TimeSliceStream(Stream[TimeSlices]):
         seconds, rested, self._rested = self.seconds, self._rested, 0.0
         if not seconds:
             if stops:
-                self.add((began, now, (task,), (now - began - rested,)))
+                self.add(TimeSlices(began, now, (task,), (now - began - rested,)))
                 return
             self._began = began
         seconds[task] = seconds.get(task, 0.0) + now - began - rested
@@ -96,7 +96,7 @@ class TimeSliceStream(Stream[TimeSlices]):
 
     def mark(self) -> Mark:
         """Return how much has been recorded, for `repeat_since`."""
-        return len(self), dict(self.seconds)
+        return self.past, dict(self.seconds)
 
     def repeat_since(self, mark: Mark, now: float, until: float, times: int) -> None:
         """Record that what was recorded since `mark` repeats so many times.
@@ -105,7 +105,7 @@ class TimeSliceStream(Stream[TimeSlices]):
         """
         count, opened = mark
         seconds: dict[str, float] = {}
-        for _, _, tasks, taken in self[count:]:
+        for _, _, tasks, taken in self.rows[max(count - self.first, 0) :]:
             for task, each in zip(tasks, taken, strict=True):
                 seconds[task] = seconds.get(task, 0.0) + each
         for task, each in self.seconds.items():
@@ -116,17 +116,17 @@ class TimeSliceStream(Stream[TimeSlices]):
             self.close(now)
         repeated = {task: times * each for task, each in seconds.items() if each}
         if repeated:
-            self.add((now, until, tuple(repeated), tuple(repeated.values())))
+            self.add(TimeSlices(now, until, tuple(repeated), tuple(repeated.values())))
 
     def up_to(self, now: float) -> Iterator[TimeSlices]:
         """Yield all records, with the current one as it would be written now."""
         yield from self
         if self.seconds:
             yield TimeSlices(self._began, now, tuple(self.seconds), tuple(self.seconds.values()))
-        if len(self) and self._alone_since is not None:
+        if self.rows and self._alone_since is not None:
             yield TimeSlices(self._alone_since, now, (), ())
 
     def close(self, now: float) -> None:
         """Write the current record, because a task begins or ends a wait."""
         seconds, self.seconds = self.seconds, {}
-        self.add((self._began, now, tuple(seconds), tuple(seconds.values())))
+        self.add(TimeSlices(self._began, now, tuple(seconds), tuple(seconds.values())))

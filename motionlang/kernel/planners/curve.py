@@ -145,6 +145,11 @@ class Profile:
         """The largest absolute acceleration."""
         return self._peak(acceleration_in, crest_points)
 
+    @property
+    def is_large(self) -> bool:
+        """True if it has more than its recipe: pieces that have been computed, or a formula."""
+        return not self.pieced or hasattr(self, "_curve")
+
     # -- the curve
 
     @property

@@ -10,6 +10,7 @@ from __future__ import annotations
 from array import array
 from bisect import bisect_right
 from collections.abc import Sequence
+from copy import copy
 from itertools import pairwise
 from math import ceil, floor
 from typing import TYPE_CHECKING, Protocol
@@ -146,6 +147,20 @@ class Generator:
             if self.offset(k) != found[-1][1]:
                 found.append((floor(starts[k] * rate + _AT_ONCE) + 1, self.offset(k)))
         return found
+
+    def copy(self) -> Generator:
+        """Return a generator of the same track that knows as much."""
+        made = copy(self)
+        made._offsets, made._since = self._offsets[:], self._since[:]
+        return made
+
+    def drop(self, count: int) -> None:
+        """Continue on the track without its first `count` profiles, which it drops next."""
+        self.offset(count)
+        self._at, self._known = max(self._at - count, 0), self._known - count
+        old = bisect_right(self._since, count) - 1
+        del self._offsets[:old], self._since[:old]
+        self._since = array("q", [max(since - count, 0) for since in self._since])
 
     def rebase(self, cycle: int, position: float, profile: int | None = None) -> None:
         """Let `position` be the track's position in `cycle`, in which the loop is closed.

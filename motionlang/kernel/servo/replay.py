@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from math import ceil
 
-from motionlang.kernel.servo.demand import Demanded
 from motionlang.kernel.servo.loop import Loop
-from motionlang.kernel.servo.plant import Motor, VelocityDrive
 from motionlang.kernel.servo.servo import Servo, sample_at
 from motionlang.kernel.servo.standstill import extent, is_still
 from motionlang.kernel.servo.trace import ServoTrace, joined
@@ -66,18 +64,12 @@ def rests_until(servo: Servo, count: int, until: int) -> int:
     return until if k + 1 == len(starts) else min(until, ceil(starts[k + 1] * rate - 1e-6) - 1)
 
 
-def replay(
-    track: Demanded,
-    loop: Loop,
-    plant: Motor | VelocityDrive,
-    changes: Sequence[Change],
-    until: float,
-) -> Iterator[tuple[float, ServoTrace]]:
-    """Yield a run from time 0 to `until` in consecutive traces.
+def replay(servo: Servo, changes: Sequence[Change], until: float) -> Iterator[tuple[float, ServoTrace]]:
+    """Run a servo with these changes to `until`, and yield consecutive traces.
 
     Each has the time of its first sample.
     """
-    servo = Servo(loop, plant, track)
+    loop = servo.loop
     for change in (*changes, None):
         end = until if change is None else min(change[0], until)
         first = servo.sample
@@ -88,14 +80,12 @@ def replay(
             apply(servo, change)
 
 
-def whole(
-    track: Demanded, loop: Loop, plant: Motor | VelocityDrive, changes: Sequence[Change], until: float
-) -> ServoTrace:
-    """Return the run as one trace, in which skipped rest is filled in."""
-    servo, traces = Servo(loop, plant, track), []
+def whole(servo: Servo, changes: Sequence[Change], until: float) -> ServoTrace:
+    """Run a servo with these changes to `until`, and return one trace, in which skipped rest is filled in."""
+    rate, traces = servo.loop.servo_rate, []
     for change in changes:
         if change[0] <= until:
-            traces.append(servo.run(sample_at(change[0], loop.servo_rate) + 1 - servo.sample))
+            traces.append(servo.run(sample_at(change[0], rate) + 1 - servo.sample))
             apply(servo, change)
-    traces.append(servo.run(sample_at(until, loop.servo_rate) + 1 - servo.sample))
+    traces.append(servo.run(sample_at(until, rate) + 1 - servo.sample))
     return joined(traces)

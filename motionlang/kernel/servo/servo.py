@@ -44,8 +44,18 @@ class Servo:
         self._open_output: float | None = None
 
     def copy(self) -> Servo:
-        """Return a servo that continues from here by itself."""
+        """Return a servo that continues from here by itself, on the same generator."""
         return copy(self)
+
+    def replayed(self) -> Servo:
+        """Return a servo that continues from here on a generator of its own, with its own changes of the loop."""
+        made = copy(self)
+        made._generator = self._generator.copy()
+        return made
+
+    def drop(self, count: int) -> None:
+        """Continue on the track without its first `count` profiles, which it drops next."""
+        self._generator.drop(count)
 
     # -- readings of the last sample
 

@@ -1,4 +1,4 @@
-"""Readers of the tracks of the axes: whole motion, trace, motors, trajectory points."""
+"""Readers of the tracks of the axes: trace, motors, trajectory points."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
+    from motionlang.kernel.tracks.axes import axes_of as axes_of
     from motionlang.kernel.tracks.history import chunks as chunks
     from motionlang.kernel.tracks.history import recall as recall
     from motionlang.kernel.tracks.history import servo_trace as servo_trace
@@ -17,12 +18,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.tracks.trace import Samples as Samples
     from motionlang.kernel.tracks.trace import TraceColumn as TraceColumn
     from motionlang.kernel.tracks.trace import quantity_of as quantity_of
-    from motionlang.kernel.tracks.track import Recorded as Recorded
-    from motionlang.kernel.tracks.track import axes_of as axes_of
 
 PUBLIC = {
     "trace": "Samples TraceColumn Array UNITS MOTOR quantity_of",
-    "track": "Recorded axes_of",
+    "axes": "axes_of",
     "history": "recall chunks servo_trace servo_traces",
 }
 

@@ -6,10 +6,9 @@ computed again, block by block, with identical numbers.
 
 from __future__ import annotations
 
-from array import array
 from collections import deque
 from collections.abc import Iterator, Sequence
-from math import inf, isnan, nan
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -17,10 +16,8 @@ from numpy.typing import NDArray
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.feedback import Feedback
-from motionlang.kernel.controller.joined import Followed
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.servo.axis_loop import has_gains
-from motionlang.kernel.servo.demand import Demanded
 from motionlang.kernel.servo.replay import replay, whole
 from motionlang.kernel.servo.samples import REST_ERROR
 from motionlang.kernel.servo.trace import ServoTrace
@@ -70,6 +67,11 @@ class MoveFigures:
         return float((self._squares / self._count) ** 0.5) if self._count else 0.0
 
     @property
+    def figures(self) -> MotorFigures:
+        """The figures of all samples that were added."""
+        return MotorFigures(self.peak_error, self.peak_output, self.rms_torque, self.settle_time)
+
+    @property
     def settle_time(self) -> float | None:
         """Seconds from the end of the move until it settled; None if it did not settle."""
         if self._outside == self._seen > -inf:
@@ -111,13 +113,9 @@ def chunks(a: Axis, until: float) -> Iterator[tuple[float, ServoTrace]]:
     Each block comes with the time of its first sample.
     """
     feedback = a.feedback
-    if feedback is None or feedback.first_loop is None:
+    if feedback is None or feedback.chosen is None:
         return iter(())
-    return replay(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
-
-
-def _track(a: Axis) -> Demanded:
-    return a if a.older is None else Followed(a)
+    return replay(feedback.origin(), feedback.changes, until)
 
 
 def servo_trace(a: Axis, until: float) -> ServoTrace | None:
@@ -126,11 +124,11 @@ def servo_trace(a: Axis, until: float) -> ServoTrace | None:
     None if the motor was never used, or for too long to be stored in memory.
     """
     feedback = a.feedback
-    if feedback is None or feedback.first_loop is None:
+    if feedback is None or feedback.chosen is None:
         return None
-    if until * feedback.first_loop.servo_rate > MAX_SAMPLES:
+    if until * feedback.chosen.loop.servo_rate > MAX_SAMPLES:
         return None
-    return whole(_track(a), feedback.first_loop, feedback.plant, feedback.changes, until)
+    return whole(feedback.origin(), feedback.changes, until)
 
 
 def servo_traces(controller: Controller) -> dict[int, ServoTrace]:
@@ -147,45 +145,14 @@ def window_of(feedback: Feedback) -> float:
     return error if feedback.windows["program"].announced and error < inf else REST_ERROR
 
 
-class Figures:
-    """Motor figures of the moves in a log, by their numbers: four doubles per move."""
-
-    def __init__(self, moves: int) -> None:
-        # The index of the figures of each move, counted from 1, and the figures in order.
-        self._indices = array("i", bytes(4 * moves))
-        self._values = array("d")
-
-    def __len__(self) -> int:
-        return len(self._values) // 4
-
-    def __contains__(self, number: object) -> bool:
-        return isinstance(number, int) and number < len(self._indices) and self._indices[number] > 0
-
-    def put(self, number: int, move: MoveFigures) -> None:
-        """Store the figures of a move."""
-        settle = move.settle_time
-        self._values.extend(
-            (move.peak_error, move.peak_output, move.rms_torque, nan if settle is None else settle)
-        )
-        self._indices[number] = len(self)
-
-    def get(self, number: int) -> MotorFigures | None:
-        """Return the motor figures of a move; None if its axis has no motor."""
-        if number not in self:
-            return None
-        first = 4 * self._indices[number] - 4
-        peak_error, peak_output, rms_torque, settle = self._values[first : first + 4]
-        return MotorFigures(peak_error, peak_output, rms_torque, None if isnan(settle) else settle)
-
-
-def figures(controller: Controller) -> Figures:
-    """Return the motor figures of the moves in the log."""
+def figures(controller: Controller) -> dict[int, MotorFigures]:
+    """Return the motor figures of the moves in the log, by their numbers."""
     found = motors(controller)
     done = {number: _Done() for number in found}
     for number, move in enumerate(controller.log.moves):
         if move.axis in done and move.profile is not None and not move.overlaid:
             done[move.axis].add(number, move.start_time, move.profile.duration)
-    made = Figures(len(controller.log.moves))
+    made: dict[int, MotorFigures] = {}
     for axis, feedback in found.items():
         run = chunks(controller.axes[axis], controller.clock.now)
         done[axis].collect(run, window_of(feedback), controller.clock.now, made)
@@ -196,7 +163,9 @@ class _Done:
     """The moves of one axis: log numbers, start times, and planned durations."""
 
     def __init__(self) -> None:
-        self._numbers, self._begins, self._durations = array("q"), array("d"), array("d")
+        self._numbers: list[int] = []
+        self._begins: list[float] = []
+        self._durations: list[float] = []
 
     def add(self, number: int, begin: float, duration: float) -> None:
         self._numbers.append(number)
@@ -204,7 +173,11 @@ class _Done:
         self._durations.append(duration)
 
     def collect(
-        self, run: Iterator[tuple[float, ServoTrace]], window: float, now: float, made: Figures
+        self,
+        run: Iterator[tuple[float, ServoTrace]],
+        window: float,
+        now: float,
+        made: dict[int, MotorFigures],
     ) -> None:
         """Pass every block to the moves that it overlaps; both are in order of time."""
         open_ones: deque[tuple[int, MoveFigures]] = deque()
@@ -217,11 +190,12 @@ class _Done:
             for _, move in open_ones:
                 move.take(first, chunk, window)
             while open_ones and open_ones[0][1].until < end:  # the sample at its end is in the next block
-                made.put(*open_ones.popleft())
+                number, done = open_ones.popleft()
+                made[number] = done.figures
         for number, move in open_ones:
-            made.put(number, move)
+            made[number] = move.figures
         for k in range(following, len(self._begins)):
-            made.put(self._numbers[k], self._figures(k, now))
+            made[self._numbers[k]] = self._figures(k, now).figures
 
     def _figures(self, k: int, now: float) -> MoveFigures:
         begin, until = self._begins[k], self._begins[k + 1] if k + 1 < len(self._begins) else inf

@@ -17,8 +17,8 @@ from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS, PieceTable
 from motionlang.kernel.tools import in_notebook
+from motionlang.kernel.tracks.axes import axes_of
 from motionlang.kernel.tracks.history import Reader
-from motionlang.kernel.tracks.track import WholeTrack, axes_of
 from motionlang.kernel.tracks.trajectory_points import AT_ONCE, TrajectoryPoints
 
 # Numbers of a column.
@@ -45,9 +45,6 @@ DECIMALS, TIME_DECIMALS = (6, 9, 12), 9
 # Rows of one chunk: a few hundred kilobytes per column, which stay in the cache while they are written out.
 ROWS = 65_536
 MAX_ROWS = 200_000_000
-# Packed profiles that are unpacked at a time, unless there are more between two rows; and the seconds on each
-# side.
-PROFILES, MARGIN = 4096, 0.001
 
 
 @dataclass(frozen=True, slots=True)
@@ -243,30 +240,11 @@ class Trace:
             count = min(ROWS, last + 1 - first)
             data = tuple(buffer[:count] for buffer in buffers)
             np.divide(np.arange(first, first + count), rate, out=data[0])
-            for begin, many in self._stretches(columns, first, count, rate):
-                slices = tuple(values[begin - first : begin - first + many] for values in data)
-                self._fill(columns, slices, begin / rate, 1.0 / rate, many)
+            self._fill(columns, data, first / rate, 1.0 / rate, count)
             if first + count > last:
                 data[0][-1] = end
                 self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)
             yield Samples(columns, data)
-
-    def _stretches(
-        self, columns: Sequence[TraceColumn], first: int, count: int, rate: float
-    ) -> Iterator[tuple[int, int]]:
-        """Yield ranges of rows, each with at most one chunk of packed motion.
-
-        A range is its first row and its length.
-        """
-        axes = {column.axis for column in columns if column.axis is not None}
-        tracks = [WholeTrack(self.controller.axes[axis]) for axis in axes]
-        most = max((track.count(first / rate, (first + count) / rate) for track in tracks), default=0)
-        if count == 1 or most <= PROFILES:
-            yield first, count
-            return
-        half = count // 2
-        yield from self._stretches(columns, first, half, rate)
-        yield from self._stretches(columns, first + half, count - half, rate)
 
     def as_controller(self, trajectory_rate: float = 1000.0) -> Trace:
         """Return the motion as the controller computes it: points joined by lines.
@@ -278,14 +256,9 @@ class Trace:
     def table(self, axis: int) -> PieceTable:
         """Return the pieces of an axis's motion, in counts; they are computed once."""
         if axis not in self._tables:
-            track = WholeTrack(self.controller.axes[axis])
-            self._tables[axis] = PieceTable(track.starts, track.profiles)
+            a = self.controller.axes[axis]
+            self._tables[axis] = PieceTable(a.starts, a.profiles)
         return self._tables[axis]
-
-    def _window(self, axis: int, begin: float, end: float) -> PieceTable:
-        """Return the pieces between two times, or all if the log has not packed any."""
-        a = self.controller.axes[axis]
-        return self.table(axis) if a.older is None else PieceTable(*WholeTrack(a).between(begin, end))
 
     def at(self, axis: int, quantity: str, times: Array) -> Array:
         """Return a quantity of an axis in user units at any `times` (s), in any order."""
@@ -313,16 +286,11 @@ class Trace:
     def _fill(
         self, columns: Sequence[TraceColumn], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
-        tables: dict[int, PieceTable] = {}
         for column, out in zip(columns, data, strict=True):
             if column.axis is not None and column.quantity in MOTOR:
                 self._fill_motor(column.axis, column.quantity, start, step, count, out)
             elif column.axis is not None:
-                table = tables.get(column.axis)
-                if table is None:
-                    end, margin = start + step * count, min(step, MARGIN)
-                    table = tables[column.axis] = self._window(column.axis, start - margin, end + margin)
-                out[:] = table.sample(start, step, count, ORDERS[column.quantity])
+                out[:] = self.table(column.axis).sample(start, step, count, ORDERS[column.quantity])
                 self.to_user(column.axis, column.quantity, out)
 
     def _fill_motor(

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.planners.sample import PieceTable
 from motionlang.kernel.servo.demand import Generator
-from motionlang.kernel.tracks.track import WholeTrack
 
 Array = NDArray[np.float64]
 
@@ -30,14 +29,13 @@ class TrajectoryPoints:
     """
 
     def __init__(self, axis: Axis, period: float) -> None:
-        track = WholeTrack(axis)
-        self._profiles, self._period = track.profiles, period
-        self._starts = np.array(list(track.starts))
-        self._offsets = Generator(track, period).offsets(0, len(track.profiles))
+        self._profiles, self._period = axis.profiles, period
+        self._starts = np.array(axis.starts)
+        self._offsets = Generator(axis, period).offsets(0, len(axis.profiles))
         # The cycle from which on a profile is in force, and when the profile begins for its points.
         self._first = np.ceil(self._starts / period - AT_ONCE).astype(np.int64)
         self._begins, late = self._starts.copy(), 0.0
-        for k, profile in enumerate(track.profiles):
+        for k, profile in enumerate(axis.profiles):
             if not profile.start_velocity:
                 late = float(self._first[k] * period - self._starts[k])
             self._begins[k] += late

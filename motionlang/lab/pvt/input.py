@@ -14,7 +14,7 @@ from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.option_groups import Language, Picture
 from motionlang.cli.readers import integer, real, whole
 from motionlang.cli.signals import SIGNALS
-from motionlang.kernel import Diagnostic, ProgramError, Source, WholeTrack, run
+from motionlang.kernel import Diagnostic, ProgramError, Source, run
 from motionlang.kernel.planners import VELOCITY_METHODS, Profile, pvt_velocities
 from motionlang.lab.pvt.drive.point import check_points
 from motionlang.lab.pvt.points import (
@@ -269,8 +269,8 @@ class Points(Fitted, Picture):
         number = moved[0] if self.axis is None else self.axis
         if number not in moved:
             raise WrongOption(f"axis {number} does not move in {name}")
-        whole = WholeTrack(result.controller.axes[number])
-        starts, profiles = list(whole.starts), list(whole.profiles)
+        axis = result.controller.axes[number]
+        starts, profiles = list(axis.starts), list(axis.profiles)
         track = FittedMotion(starts, profiles, *_span(starts, profiles))
         columns = track.starts, track.profiles
         tolerance = TOLERANCE if self.tolerance is None else self.tolerance

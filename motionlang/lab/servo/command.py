@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.option_groups import OutputOptions, Picture, ProgramOptions
 from motionlang.cli.readers import machine_time
-from motionlang.kernel import CheckedSettings, WholeTrack
+from motionlang.kernel import CheckedSettings
 from motionlang.kernel import run as run_program
 from motionlang.kernel.servo import SERVO, Motor, VelocityDrive, make_loop, mccl_values, mint_values
 from motionlang.kernel.servo import simulate as simulate_loop
@@ -194,7 +194,7 @@ class ServoRun(ProgramOptions, Gains, ServoCommand):
                 if trace is None:
                     plant = plants[number] = self.motor_of(number)
                     loop = self.loop_of(number, plant, axis.scale.counts)
-                    trace = simulate_loop(WholeTrack(axis), loop, plant, until=end)
+                    trace = simulate_loop(axis, loop, plant, until=end)
                 rows.append((number, trace, trace.settled_at(self.window, axis.end_of_motion())))
         axes = view.axes_table(rows, self.window)
         document = Document([axes, view.plants_table(plants)], {"time": result.time})

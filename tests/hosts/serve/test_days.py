@@ -19,10 +19,11 @@ from pathlib import Path
 import pytest
 
 from motionlang.client import Client, CommandError
-from tests.test_weeks import BEFORE_THE_DISK
 
 DAY = 86_400
 DAYS = 12
+# Kilobytes by which twelve days may differ from one, after which fewer records are there than are retained.
+MORE = 10_000
 # Moves by a client's distance, and counts its moves; in lock step each request takes five seconds.
 COUNTER = """\
 SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
@@ -97,4 +98,4 @@ def test_days_of_serving_take_no_more_memory_than_a_day(
 ) -> None:
     day, days = memory(command, load, 1, tmp_path), memory(command, load, DAYS, tmp_path)
     print(f"{load.__name__}: {day} kB for a day, {days} kB for {DAYS} days")
-    assert days <= day + BEFORE_THE_DISK
+    assert days <= day + MORE

@@ -23,7 +23,6 @@ from motionlang.kernel import (
     Source,
     Steps,
     Stuck,
-    WholeTrack,
     dialect_for,
     settings_next_to,
 )
@@ -82,7 +81,7 @@ def recorded(controller: Controller) -> Iterator[str]:
             else:
                 yield repr(each)
     for a in (*controller.axes.values(), *controller.encoders.values()):
-        track = WholeTrack(a)
+        track = a
         yield repr((list(track.starts), [profile.curve for profile in track.profiles]))
         yield repr(a.feedback and (a.feedback.position, a.feedback.changes))
 

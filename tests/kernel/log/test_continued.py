@@ -8,8 +8,6 @@ import pytest
 
 from motionlang import run
 from motionlang.kernel import Source
-from motionlang.kernel.log import LoggedMove, moves
-from motionlang.kernel.planners import Profile
 
 PROGRAM = """Dim k As Integer
 SPEED(0) = 20 : ACCEL(0) = 100 : DECEL(0) = 100
@@ -24,19 +22,8 @@ End While
 
 
 @pytest.mark.slow
-def test_an_entry_that_was_packed_and_read_before_it_is_continued(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Entries of 500 changes are packed; the last one is read before it is continued.
-
-    50 at speed 20 with rates of 100 takes 50/20 + 20/100 s, without a gap between the entries.
-    """
-    split = moves.LoggedMoves.split
-
-    def read_first(log: moves.LoggedMoves, move: LoggedMove, done: Profile, now: float, size: int) -> None:
-        assert all(each.axis in (0, 1) for each in log)
-        split(log, move, done, now, size)
-
-    monkeypatch.setattr(moves, "MAX_WAITING", 2500)
-    monkeypatch.setattr(moves.LoggedMoves, "split", read_first)
+def test_a_path_that_is_changed_often_is_several_entries_on_each_axis() -> None:
+    """50 at speed 20 with rates of 100 takes 50/20 + 20/100 s, without a gap between the entries."""
     log = run(Source("found.mnt", PROGRAM)).controller.log.moves
     for axis in (0, 1):
         entries = [each for each in log if each.axis == axis]

@@ -1,19 +1,10 @@
-"""A track and the moves of an axis, cut to an earlier time: before, during and after packing."""
+"""A track and the moves of an axis, cut to an earlier time."""
 
 from __future__ import annotations
 
 import pytest
 
-from motionlang.kernel import Controller, WholeTrack
-from motionlang.kernel.log import log
-from tests.kernel.log.small import shrink
-
-
-@pytest.fixture(autouse=True)
-def small(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Pack early."""
-    shrink(monkeypatch, left=3, most=12)
-    monkeypatch.setattr(log, "FIRST_CHECK", 4)
+from motionlang.kernel import Controller
 
 
 def moved(controller: Controller, first: int, past: int) -> Controller:
@@ -37,7 +28,7 @@ def seen(controller: Controller) -> object:
         (each.axis, each.start_time, each.target, each.ended, each.profile and each.profile.curve)
         for each in controller.log.moves
     ]
-    tracks = [WholeTrack(a) for a in controller.axes.values()]
+    tracks = controller.axes.values()
     return moves, [(list(each.starts), [profile.curve for profile in each.profiles]) for each in tracks]
 
 
@@ -54,18 +45,4 @@ def test_track_and_moves_are_cut_and_go_on(before: int, added: int) -> None:
         a.cut(own)
     assert seen(controller) == expected
     assert moves[0] is long_move
-    assert long_move is not None
-    assert moves.number(long_move) == 0
     assert axes[1].profiles[-1] is last
-
-
-def test_a_move_in_progress_that_was_packed_when_it_had_ended_is_in_progress_again() -> None:
-    controller = moved(started(), 0, 2)
-    moves, move = controller.log.moves, controller.axes[0].move
-    extent = moves.extent()
-    controller.stop(0)
-    moved(controller, 3, 30)
-    assert moves.packed > 1
-    moves.cut(extent)
-    assert moves[0] is move
-    assert len(moves) == 3

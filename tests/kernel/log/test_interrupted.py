@@ -15,9 +15,7 @@ import pytest
 
 import motionlang
 from motionlang.kernel import Run, Scheduler, Source, execution
-from motionlang.kernel.planners.packed import packed
 from motionlang.kernel.report import moves
-from motionlang.kernel.tracks import Recorded
 from motionlang.views.report import render
 from tests.proof import prove, run
 
@@ -52,14 +50,12 @@ LOCATIONS = {
 }
 
 
-# The functions that write moves to a track and the log, and that pack them.
+# The functions that write moves to a track and the log.
 STEPS = {
-    "/motionlang/kernel/log/log.py": {"make_room", "pack"},
-    "/motionlang/kernel/log/stream.py": {"add", "_seal"},
-    "/motionlang/kernel/log/moves.py": {"pack"},
-    "/motionlang/kernel/log/profiles.py": {"take_from"},
+    "/motionlang/kernel/controller/queue/track.py": {"extend_track", "log_move"},
+    "/motionlang/kernel/log/stream.py": {"add"},
 }
-# Moves that are read, one in motion and one completed, and others that are not read until they are packed.
+# Moves that are read, one in motion and one completed.
 PLAIN = """Dim i As Integer
 Dim x As Float
 SPEED(0, 1) = 100, 100 : ACCEL(0, 1) = 1000, 1000 : DECEL(0, 1) = 1000, 1000
@@ -178,10 +174,14 @@ def test_ctrl_c_has_the_position_of_the_wait(name: str, text: str) -> None:
 
 def motion(result: Run) -> dict[int, list[tuple[float, str]]]:
     """Return the start time and shape of each recorded profile, by axis."""
-    tracks = Recorded(result.controller).axes
+    tracks = result.controller.axes
     assert all(len(a.starts) == len(a.profiles) and a.starts[-1] <= result.time for a in tracks.values())
     return {
-        number: [(start, repr(packed(profile))) for start, profile in zip(a.starts, a.profiles, strict=True)]
+        number: [
+            (start, repr(profile))
+            for start, profile in zip(a.starts, a.profiles, strict=True)
+            if profile.shape != "hold"  # a rest is no longer on the track when the next move begins
+        ]
         for number, a in tracks.items()
     }
 
@@ -202,19 +202,16 @@ def test_the_locations_exist() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("every", [False, pytest.param(True, marks=pytest.mark.long)], ids=["some", "every"])
 def test_plain_moves_are_whole_wherever_the_run_ends(every: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Interrupt each line that records or packs a plain move.
+    """Interrupt each line that records a plain move.
 
     The run up to then is complete, with no duplicates. Each line is interrupted at its first and, every third, at
     its last execution. Of the other executions 5 are interrupted, or all with `long`.
     """
-    for name, most in {"FIRST_CHECK": 1, "HURRY": 0.0, "MAX_PROFILES": 6, "LEFT_PROFILES": 2}.items():
-        monkeypatch.setattr(f"motionlang.kernel.log.log.{name}", most)
     source = Source("a.mnt", PLAIN)
     for _ in range(2):
         whole = Ended(STEPS, 0)
         result = ran(source, whole, monkeypatch)
         assert (result.status, result.diagnostics, prove(result).holds) == ("ended", [], True)
-    assert result.controller.axes[0].older is not None
     ended = result
     begun = [(each.start_time, each.axis, each.line) for each in result.controller.log.moves]
     tracks = motion(result)

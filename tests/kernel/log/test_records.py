@@ -1,13 +1,12 @@
-"""Records, packed moves and profiles of a log, by hand."""
+"""Records, moves and profiles of a log, by hand."""
 
 from __future__ import annotations
 
-from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from motionlang.kernel import Controller, WholeTrack
+from motionlang.kernel import Controller
 from motionlang.kernel.log import Log, LoggedMove, Waited
 from motionlang.kernel.planners import pieces_of
 from tests.kernel.tracks.test_figures import machine
@@ -26,20 +25,6 @@ def shuttled(moves: int) -> Controller:
     return controller
 
 
-def test_the_first_room_is_for_all_profiles(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of 40 960 profiles the first 1024 are checked; with motors, of 10 240."""
-    controller = shuttled(2)
-    a: Any = controller.axes[0]
-    controller.log.make_room([a])
-    assert (controller.log.room, a.older, controller.log.moves.packed) == (40_960 - 1024, None, 0)
-    controller.log.make_room([a])
-    assert controller.log.room == 40_960 - 5
-    followed = shuttled(2)
-    followed.axes[0].feedback = object()  # type: ignore[assignment]
-    followed.log.make_room([a, followed.axes[0]])
-    assert followed.log.room == 10_240 - 1024
-
-
 def filled(**more: Any) -> LoggedMove:
     move = LoggedMove(0, "MOVER", 3, 10.0)
     for name, value in more.items():
@@ -50,13 +35,13 @@ def filled(**more: Any) -> LoggedMove:
 def test_the_waits_of_a_skipped_iteration_are_logged_once() -> None:
     """An iteration has begun at 1.0 s."""
     log = Log()
-    mine: list[Any] = [
-        ("main", 3, 1.0, 1.0, "axis", (0,), "idle", ()),
-        ("main", 11, 1.5, 4.0, "time", (), "", (2, 5)),
+    mine = [
+        Waited("main", 3, 1.0, 1.0, "axis", (0,), "idle", ()),
+        Waited("main", 11, 1.5, 4.0, "time", (), "", (2, 5)),
     ]
-    earlier: Any = ("main", 1, 0.0, 0.9, "axis", (0,), "idle", ())
-    begun_before: Any = ("main", 2, 0.5, 1.0, "axis", (0,), "idle", ())
-    other: Any = ("other", 4, 1.0, 3.0, "axis", (0,), "idle", ())
+    earlier = Waited("main", 1, 0.0, 0.9, "axis", (0,), "idle", ())
+    begun_before = Waited("main", 2, 0.5, 1.0, "axis", (0,), "idle", ())
+    other = Waited("other", 4, 1.0, 3.0, "axis", (0,), "idle", ())
     for wait in (earlier, other, begun_before, *mine):
         log.waits.add(wait)
     log.repeat_waits("main", 1.0, 3.0, 2)
@@ -72,7 +57,7 @@ def test_a_period_within_a_period_is_repeated_with_it() -> None:
     """A wait at 0 is repeated twice, 1 s apart, and this period of 3 s three times."""
     log = Log()
     outer = inner = log.mark_period()
-    log.waits.add(("one", 7, 0.0, 0.5, "time", (), "", ()))
+    log.waits.add(Waited("one", 7, 0.0, 0.5, "time", (), "", ()))
     log.repeat_period(inner, 0.0, 1.0, 3.0, 2)
     log.repeat_period(outer, 0.0, 3.0, 12.0, 3)
     assert [wait.since for wait in log.waits] == [float(n) for n in range(12)]
@@ -82,7 +67,7 @@ def test_a_skipped_iteration_rests_during_its_waits() -> None:
     """A time slice from 0 to 4 has two skipped iterations, each with a WAIT of 1."""
     log = Log()
     log.slices.shared(0.0)
-    log.waits.add(("one", 7, 0.0, 1.0, "time", (), "", ()))
+    log.waits.add(Waited("one", 7, 0.0, 1.0, "time", (), "", ()))
     log.repeat_waits("one", 0.0, 1.5, 2)
     log.slices.took("one", 0.0, 4.0, True)
     log.slices.took("one", 4.0, 5.0, True)
@@ -98,7 +83,7 @@ def test_a_period_of_time_slices_and_waits_is_repeated() -> None:
     mark = log.mark_period()
     log.slices.took("one", 3.0, 4.0, False)
     log.slices.took("two", 4.0, 5.0, True)
-    log.waits.add(("two", 7, 5.0, 6.0, "time", (), "", ()))
+    log.waits.add(Waited("two", 7, 5.0, 6.0, "time", (), "", ()))
     log.slices.took("one", 5.0, 6.0, False)
     log.repeat_period(mark, 3.0, 6.0, 21.0, 5)
     assert list(log.slices) == [
@@ -130,13 +115,6 @@ def test_an_event_has_the_source_offset_of_the_program() -> None:
     assert log.streams()[-1] is made
 
 
-@pytest.mark.parametrize("suspended", [False, True])
-def test_an_axis_that_is_suspended_has_no_moves_that_wait(suspended: bool) -> None:
-    waiting = [filled()]
-    a: Any = SimpleNamespace(index=0, older=None, starts=[], profiles=[], suspended=suspended, buffer=waiting)
-    assert WholeTrack(a).waiting == ([] if suspended else waiting)
-
-
 def test_the_pieces_of_a_profile_that_is_replaced_at_its_knot() -> None:
     """A move of 100 has knots at 0.1 and 1.95 s; it is stopped as its first ramp ends."""
     controller = machine()
@@ -144,7 +122,7 @@ def test_the_pieces_of_a_profile_that_is_replaced_at_its_knot() -> None:
     controller.clock.advance(0.1)
     controller.stop(0)
     controller.clock.advance(2.0)
-    track = WholeTrack(controller.axes[0])
+    track = controller.axes[0]
     begins, pieces = pieces_of(track.starts, track.profiles)
     assert begins == pytest.approx([0.0, 0.0, 0.1, 0.3])
     assert pieces[-1] == pytest.approx((7.5, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))

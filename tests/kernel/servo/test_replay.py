@@ -103,7 +103,7 @@ def test_a_replay_applies_each_change_at_its_time() -> None:
     """
     stiff = Loop(proportional=0.02, derivative=0.1, servo_rate=4096.0, trajectory_rate=1024.0)
     changes: list[tuple[float, Loop | float | int]] = [(0.5, 1.5), (1.0, 0), (1.5, stiff), (9.0, 2.5)]
-    found = list(replay(AT_REST, LOOP, Motor(), changes, 2.0))
+    found = list(replay(Servo(LOOP, Motor(), AT_REST), changes, 2.0))
     assert [time for time, _ in found] == [0.0, 2049.0 / 4096.0, 4097.0 / 4096.0, 6145.0 / 4096.0]
     assert [len(block.error) for _, block in found] == [2049, 2048, 2048, 2048]
     assert set(found[1][1].output) == {1.5}

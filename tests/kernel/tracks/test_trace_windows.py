@@ -1,4 +1,4 @@
-"""Columns of packed motion and of motors, and the number of rows and chunks."""
+"""Columns of motors, and the number of rows and chunks."""
 
 from __future__ import annotations
 
@@ -8,66 +8,12 @@ import numpy as np
 import pytest
 
 from motionlang.kernel import Controller, Trace
-from motionlang.kernel.log import log as log_module
-from motionlang.kernel.log import stream
 from motionlang.kernel.tracks import history
 from motionlang.kernel.tracks import trace as module
 from motionlang.kernel.tracks.trajectory_points import TrajectoryPoints
 from tests.kernel.log.test_records import shuttled
 from tests.kernel.tracks.test_figures import machine
 from tests.kernel.tracks.test_history import blocks
-
-EVERY = ("position", "velocity", "acceleration")
-
-
-@pytest.fixture
-def packed(monkeypatch: pytest.MonkeyPatch) -> Controller:
-    """Return five moves whose first seven profiles of eleven are packed."""
-    monkeypatch.setattr(stream, "CHUNK", 2)
-    monkeypatch.setattr(log_module, "LEFT_PROFILES", 4)
-    controller = shuttled(5)
-    controller.log.pack([controller.axes[0]])
-    return controller
-
-
-@pytest.mark.parametrize(
-    ("profiles", "count", "ranges"),
-    [
-        (4, 64, [(0, 16), (16, 16), (32, 16), (48, 16)]),
-        (5, 64, [(0, 32), (32, 32)]),
-        (10, 64, [(0, 64)]),
-        (4, 55, [(0, 27), (27, 14), (41, 14)]),
-        (0, 12, [(0, 6), (6, 3), (9, 1), (10, 2)]),
-    ],
-)
-def test_rows_are_divided_until_a_range_has_few_profiles(
-    profiles: int,
-    count: int,
-    ranges: list[tuple[int, int]],
-    packed: Controller,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """At ten rows per second, 64 rows have ten profiles, and the halves five each.
-
-    They begin at 1, 1.35, 2, 2.35 … (`test_records.py`), so rows 0 to 26 have four of them and rows 27 to 54 six.
-    """
-    monkeypatch.setattr(module, "PROFILES", profiles)
-    trace = Trace(packed)
-    assert list(trace._stretches(trace.columns(), 0, count, 10.0)) == ranges
-    shifted = Trace(Controller(1))
-    assert list(shifted._stretches(shifted.columns(), 5, count, 10.0)) == [(5, count)]
-
-
-@pytest.mark.parametrize("rate", [10.0, 7.0, 200.0])
-@pytest.mark.parametrize("rows", [9, 65_536])
-def test_packed_motion_has_the_same_columns(
-    rate: float, rows: int, packed: Controller, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(module, "ROWS", rows if rate < 100.0 else 1000)
-    monkeypatch.setattr(module, "PROFILES", 2)
-    plain, found = Trace(shuttled(5)).sample(rate), Trace(packed).sample(rate)
-    for quantity in EVERY:
-        assert found.get(0, quantity).tolist() == pytest.approx(plain.get(0, quantity).tolist(), abs=1e-9)
 
 
 @pytest.mark.parametrize(("until", "chunks"), [(1.8, [10, 9]), (1.9, [10, 10]), (2.0, [10, 10, 1])])

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
 from math import fsum
 
 from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour
 from motionlang.commands.map.program_map import ProgramMap
-from motionlang.kernel import Axis, Run, WholeTrack
+from motionlang.kernel import Axis, Run
 from motionlang.kernel.tracks import axes_of
 from motionlang.views.figure import COLOURS, Curve, Figure, Lane, Panel
 from motionlang.views.lanes import ChannelLane as Channel
@@ -119,12 +118,12 @@ def _within(spans: Sequence[tuple[float, float]], begin: float, end: float) -> l
 
 def _velocity(axis: Axis, begin: float, end: float) -> tuple[list[float], list[float]]:
     """Return times, s, and the velocities of an axis, uu/s."""
-    starts, profiles = WholeTrack(axis).between(begin, end)
+    starts, profiles = axis.starts, axis.profiles
     scale = axis.scale.counts or 1.0
     times, values = [], []
     for k in range(POINTS + 1):
         time = begin + (end - begin) * k / POINTS
-        index = bisect_right(starts, time) - 1
+        index = axis.index_at(time)
         moving = index >= 0 and time - starts[index] <= profiles[index].duration
         times.append(time)
         values.append(profiles[index].velocity(time - starts[index]) / scale if moving else 0.0)

@@ -36,6 +36,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.io.stimuli import Entry, Stimulus
+from motionlang.kernel.log.records import Event
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
@@ -377,7 +378,7 @@ class Asking:
                 query.blocker = each
                 return True
         self._controller.log.events.add(
-            (now, "asked", None, None, None, query.task.stack[-1], 0, responder.name(value))
+            Event(now, "asked", None, None, None, query.task.stack[-1], 0, responder.name(value))
         )
         if rule.length < INFINITY:
             rule.until = now + rule.length

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from typing import Any
 
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.io.reads import ReadObserver
@@ -39,7 +40,7 @@ class Channels:
     def __init__(
         self,
         clock: Clock,
-        changes: Stream[Changed] | Stream[Switched] | None = None,
+        changes: Stream[Any] | None = None,
         origin: Callable[[], tuple[int, int]] | None = None,
         table: str = "",
     ) -> None:
@@ -74,8 +75,10 @@ class Channels:
             return False
         self._values[channel] = value
         if self.changes is not None:
-            row = (self._clock.now, channel, value)
-            self.changes.add(row if self._origin is None else (*row, *self._origin()))
+            now, origin = self._clock.now, self._origin
+            self.changes.add(
+                Changed(now, channel, value) if origin is None else Switched(now, channel, value, *origin())
+            )
         self._notify(channel)
         return True
 

@@ -26,9 +26,9 @@ def value_at(sampled: Sampled, position: float) -> float:
     return sampled.value + sampled.per_unit * distance
 
 
-def sample(sampled: Sampled, profile: Profile, tick: int) -> float:
-    """Return the sample at a tick of the profiler."""
-    return value_at(sampled, profile.position(tick * PERIOD - sampled.start))
+def sample(sampled: Sampled, start: float, profile: Profile, tick: int) -> float:
+    """Return the sample at a tick of the profiler, from the profile that began at `start`."""
+    return value_at(sampled, profile.position(tick * PERIOD - start))
 
 
 class AnalogueChanges(Iterable[Changed]):
@@ -53,6 +53,6 @@ class AnalogueChanges(Iterable[Changed]):
     def _samples(self, channel: int) -> Iterator[Changed]:
         for each in self._log.sampled:
             if each.channel == channel:
-                _, profile = self._log.moves.axes[each.axis].in_force(each.start)
+                start, profile = self._log.moves.axes[each.axis].in_force(each.start)
                 for tick in range(each.first, each.past):
-                    yield Changed(tick * PERIOD, channel, sample(each, profile, tick))
+                    yield Changed(tick * PERIOD, channel, sample(each, start, profile, tick))

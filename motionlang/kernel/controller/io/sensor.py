@@ -98,7 +98,7 @@ class Sensor:
         return self._sample_at(past - 1)
 
     def _sample_at(self, tick: int) -> float:
-        return sample(self._sampled, self._profile, tick)
+        return sample(self._sampled, self._sampled.start, self._profile, tick)
 
     def until(self, shown: Callable[[float], float], level: float | None) -> float:
         """Return the first tick at which a sample may have passed a level.

@@ -88,7 +88,7 @@ class FollowMove(LoggedMove):
     def begin_new_entry(self, log: Log, now: float) -> None:
         """Split the log entry if it has become long: this one continues as a new entry."""
         if self.size > MAX_FOLLOWED and self.profile is not None:
-            log.moves.split(self, self.until(now), now, self.size)
+            log.moves.split(self, self.until(now), now)
             self.segments, self.size = [], 0
 
     @property

@@ -131,7 +131,6 @@ class CurveFollow(Follow):
         if curve is not self.curve:  # the history of the slave stores it
             size = len(curve.pieces) // _PIECES
             self.move.size += size
-            self.a.controller.log.room -= size
             self.curve = curve
 
     def finish(self) -> None:

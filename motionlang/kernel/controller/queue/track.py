@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from motionlang.kernel.controller import watch
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.events import BY_DESIGN, check_velocity
-from motionlang.kernel.log.log import Log
+from motionlang.kernel.log.log import PROFILE, Log
 from motionlang.kernel.log.move import MAX_PIECES, LoggedMove
+from motionlang.kernel.log.records import Zeroed
 from motionlang.kernel.planners import Profile, hold
 
 
@@ -21,16 +22,16 @@ def extend_track(a: Axis, profile: Profile, cause: str = "", ended: LoggedMove |
     if cause != BY_DESIGN and (profile.start_velocity or a.profiles[-1].shape != "hold"):
         check_velocity(a, profile, cause, ended or a.move)
     controller = a.controller
+    if a.feedback is None and len(a.starts) > 1 and _is_rest(a):
+        del a.starts[-1], a.profiles[-1]
+        controller.log.budget.take(-PROFILE)
     controller.motion_listener.add(a)
     if controller.asking is not None:
         controller.asking.starts(a, profile)
     a.starts.append(a.clock.now)
     a.profiles.append(profile)
     a.present = profile
-    log = controller.log
-    log.room -= 1
-    if log.room < 0:
-        controller.make_room()
+    controller.log.count_profile(a.profiles[-2])
     if a.feedback is not None:
         a.feedback.changed()
     else:
@@ -42,6 +43,18 @@ def extend_track(a: Axis, profile: Profile, cause: str = "", ended: LoggedMove |
         follower(profile)
     for limit in a.barriers:
         limit.check()
+
+
+def _is_rest(a: Axis) -> bool:
+    """True if the last profile of the track only says that the axis rests where the one before it ended."""
+    before, last = a.profiles[-2:]
+    return (
+        last.shape == "hold"
+        and before.has_ramps
+        and before.end == last.start
+        and not before.end_velocity
+        and a.starts[-2] + before.duration <= a.starts[-1]
+    )
 
 
 def log_move(a: Axis, move: LoggedMove, profile: Profile, is_stop: bool = False) -> None:
@@ -71,9 +84,8 @@ def amend_log(
     parts = [move.until(now) for move in entries]
     is_full = not ended and max(len(done.knots) for done in parts) > MAX_PIECES
     for move, done, profile in zip(entries, parts, profiles, strict=True):
-        log.room -= 2  # a changed profile is stored piece by piece, and takes three times as much
         if is_full:
-            log.moves.split(move, done, now, len(done.knots))
+            log.moves.split(move, done, now)
             move.profile = profile
             continue
         # If a new zero was set in between, the two differ by it, and by its rounding.
@@ -116,7 +128,7 @@ def define_position(a: Axis, position: float) -> None:
     rest = a.profiles[-1].after(now - a.starts[-1]) if a.move is not None else hold(here)
     if a.move is not None and a.move.action is not None:
         a.move.action.shift(a, shift)
-    a.controller.log.zeros.add((now, a.index, a.datum))
+    a.controller.log.zeros.add(Zeroed(now, a.index, a.datum))
     a.datum += shift
     a.target += shift
     if a.move is not None:

@@ -24,7 +24,6 @@ KEYS: dict[str, tuple[str, str]] = {
         "time",
         "The time limit of the run, in seconds of machine time; the scenario ends there too.",
     ),
-    "run.log": ("positive", "The disk space that the log may take before the run ends, in gigabytes (8)."),
     "run.stop.event": (
         "stop event",
         "End the run at an event of this kind, or at an INPUT for which no answer is left: input.",

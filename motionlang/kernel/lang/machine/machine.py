@@ -168,7 +168,7 @@ class Machine:
     @property
     def moves_made(self) -> int:
         """Return the number of moves started so far."""
-        return len(self.log.moves)
+        return self.log.moves.past
 
     @property
     def has_motors(self) -> bool:

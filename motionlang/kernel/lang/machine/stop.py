@@ -8,7 +8,6 @@ from typing import Any
 
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.log.log import Log
-from motionlang.kernel.log.stream import Stream
 
 # The event of a program that asks for a line when no answer is left.
 ASKS = "input"
@@ -33,13 +32,13 @@ class StopCondition:
         self.line_of: Callable[[int], int] = int
         self._clock = clock
         if self.text is not None:
-            log.prints.heard = lambda row: self._occurs(str(self.text) in row[1])
+            log.prints.heard = lambda line: self._occurs(str(self.text) in line.text)
         elif self.line:
             log.moves.heard = lambda move: self._occurs(move.line == self.line, "moves", move.axis)
             for stream in (log.waits, log.outputs, log.analogue_outputs, log.prints):
-                stream.heard = self._listener(stream)
+                stream.heard = self._hears
         elif self.event != ASKS:
-            log.events.heard = lambda row: self._occurs(row[1] == self.event)
+            log.events.heard = lambda event: self._occurs(event.kind == self.event)
 
     def asks(self) -> None:
         """Take note that the program asks for a line, and no answer is left."""
@@ -54,10 +53,9 @@ class StopCondition:
             return f"line {self.line}{often}"
         return "an INPUT without an answer" if self.event == ASKS else f"the event {self.event}{often}"
 
-    def _listener(self, stream: Stream[Any]) -> Callable[[tuple[Any, ...]], None]:
-        at = stream.fields.index("at")
-        cause = stream.fields.index("cause") if "cause" in stream.fields else at
-        return lambda row: self._occurs(self.line_of(row[at]) == self.line, row[at], row[cause])
+    def _hears(self, record: Any) -> None:
+        cause = getattr(record, "cause", "")
+        self._occurs(self.line_of(record.at) == self.line, record.at, cause)
 
     def _occurs(self, holds: bool, *counted: object) -> None:
         self.counts[counted] += holds

@@ -116,7 +116,7 @@ class Terminal:
         if self.show is not None:
             self.show(text)
         for line in self._open.completed(text):
-            self.prints.add((self._clock.now, line, *self._origin()))
+            self.prints.add(Printed(self._clock.now, line, *self._origin()))
 
     @property
     def begun(self) -> str:

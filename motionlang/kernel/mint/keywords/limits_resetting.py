@@ -73,7 +73,7 @@ def stored_by_stop(environment: Environment, numbers: tuple[int, ...], line: int
     Changes of motion are reported by the clock.
     """
     controller = environment.controller
-    return len(environment.machine.log.events), [
+    return environment.machine.log.events.past, [
         (controller.room(axis), controller.is_suspended(axis), controller.axes[axis].homing)
         for axis in numbers
         if axis in controller.axes

@@ -7,7 +7,7 @@ from random import Random
 import pytest
 
 from motionlang import run
-from motionlang.kernel import Run, Scheduler, Source, WholeTrack
+from motionlang.kernel import Run, Scheduler, Source
 from motionlang.kernel.report import text as report_text
 from tests.cases import cases, examples
 
@@ -18,7 +18,7 @@ def all_of(result: Run) -> list[object]:
     tracks = [
         (start, profile.shape, profile.start, profile.end, profile.duration, profile.knots, profile.pieces)
         for a in c.axes.values()
-        for start, profile in zip(*WholeTrack(a).between(0.0, result.time), strict=True)
+        for start, profile in zip(a.starts, a.profiles, strict=True)
     ]
     streams = (log.waits, log.slices, log.events, log.settings, log.prints, log.outputs, log.inputs)
     moves = [

@@ -324,11 +324,9 @@ End Sub
     assert told == [("one", 0.0), ("one", 0.003), ("other", 0.0), ("other", 0.005), ("ParentTask", 0.0)]
 
 
-def test_the_log_of_many_waits_is_packed_as_it_grows() -> None:
+def test_many_waits_are_in_the_log() -> None:
     program = "Dim n As Integer\nFor n = 1 To 30000\n  OUTX(1) = n Mod 2\n  WAIT(1)\nNext\n"
-    log = run(Source("waits.mnt", program)).machine.log
-    waits = log.waits
-    assert log.store.size > 0
+    waits = run(Source("waits.mnt", program)).machine.log.waits
     assert len(waits) == 30_000
     # An iteration is a WAIT of 1 ms, and its three statements take 10 µs each.
     assert [round(wait.since, 9) for wait in waits[:3]] == [2e-5, 0.00105, 0.00208]
