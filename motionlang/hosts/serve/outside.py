@@ -12,6 +12,7 @@ from concurrent.futures import Future
 from threading import Condition
 from time import monotonic
 
+from motionlang.hosts.console import MEMORY, SELDOM
 from motionlang.hosts.serve.wall import WallClock
 from motionlang.kernel import INFINITY, Machine
 from motionlang.kernel.controller import Clock
@@ -37,6 +38,7 @@ class QuestionQueue:
         self._changed = Condition()
         self._closed = False
         self.machine: Machine | None = None
+        self._passes = 0
 
     @property
     def clock(self) -> Clock:
@@ -72,8 +74,11 @@ class QuestionQueue:
         return True
 
     def advance(self, time: float) -> None:
-        """Let machine time pass until `time`, or less if a question arrives."""
-        raise NotImplementedError
+        """Let machine time pass until `time`, or less if a question arrives; trim unused history at intervals."""
+        assert self.machine is not None
+        self._passes += 1
+        if not self._passes % SELDOM:
+            self.machine.controller.forget_history(MEMORY)
 
     def _answer(self) -> bool:
         """Answer the oldest question; return False if there is none."""
@@ -130,6 +135,7 @@ class RealTimeQueue(QuestionQueue):
 
     def advance(self, time: float) -> None:
         """Advance in real time and answer questions meanwhile; an answer ends the call."""
+        super().advance(time)
         if self._real is None:
             self._real = WallClock(self._wall, self._factor, self.clock.now)
         while True:
@@ -165,6 +171,7 @@ class LockStepQueue(QuestionQueue):
 
     def advance(self, time: float) -> None:
         """Advance machine time as far as granted; each further request grants a step."""
+        super().advance(time)
         while True:
             if time <= self._granted:
                 self.clock.advance(time)
