@@ -105,7 +105,8 @@ def test_the_values_of_a_kind(kind: str) -> None:
             "run.zzz = 5",
             (
                 *(1, 1, 7, "there is no key run.zzz"),
-                "a key of run is run.until, run.stop.event, run.stop.prints …; docs/machine-file.md lists all",
+                "a key of run is run.until, run.stop.event, run.stop.prints, run.stop.line, run.stop.times; "
+                "docs/machine-file.md lists all",
             ),
         ),
         (
