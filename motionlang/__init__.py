@@ -121,10 +121,7 @@ if not TYPE_CHECKING:
     def __getattr__(name: str) -> object:
         """Import a name on first use."""
         if name not in _HOMES:
-            from motionlang.cli.removed import REMOVED
-
-            instead = f": {REMOVED[name]}" if name in REMOVED else ""
-            raise AttributeError(f"module 'motionlang' has no attribute {name!r}{instead}")
+            raise AttributeError(f"module 'motionlang' has no attribute {name!r}")
         from importlib import import_module
 
         found: object = getattr(import_module(f"motionlang.{_HOMES[name]}"), name)

@@ -9,7 +9,6 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Literal, overload
 
-from motionlang.cli.removed import refuse_prove
 from motionlang.kernel import (
     DEFAULT_AXES,
     CheckedSettings,
@@ -55,7 +54,6 @@ def run(
     keys: Given = (),
     show: Callable[[str], object] | None = None,
     nv: str | None = None,
-    prove: None = None,
 ) -> Run:
     """Run a program on the virtual controller and return its `Run`.
 
@@ -73,7 +71,6 @@ def run(
     """
     if until is not None and not until >= 0.0:
         raise ValueError(f"until must be a number of 0 or more, not {until!r}")
-    refuse_prove(prove)
     made = run_program(
         _checked(program),
         dialect=dialect,

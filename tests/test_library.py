@@ -160,8 +160,6 @@ def test_internal_parameters_are_not_public() -> None:
         (lambda: motionlang.diff(FEED, {}), "not a report"),
         (lambda: motionlang.compare(FEED, FEED, {"position.0": "a*b"}), "multiply"),
         (lambda: motionlang.certify(FEED), "axis.N.limits with position, speed"),
-        (lambda: motionlang.run(FEED, prove=True), "certify verifies the motion"),  # type: ignore[arg-type]
-        (lambda: motionlang.sweep(FEED, {"x": [1]}, prove=True), "certify verifies the"),  # type: ignore[arg-type]
         (lambda: motionlang.sweep(FEED, {"axis.0.limits.speed": [1.0]}, keep=["tim"]), "time"),
         (lambda: motionlang.run(FEED).trace(axes=[9]), "this controller has 0, 1"),
         (lambda: motionlang.run(FEED).trace(quantities=["speed"]), "position, velocity"),

@@ -22,7 +22,6 @@ from typing import Any, ClassVar, Self
 
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import Commands, Parser, both, either, sentence
-from motionlang.cli.removed import REMOVED
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import Diagnostic, Source
 from motionlang.kernel.files import is_plain, same_file, unwritable
@@ -215,7 +214,6 @@ class Command:
             if key not in keys:
                 near = nearest(key, keys)
                 hint = f"did you mean {near}?" if near else f"the keys are {', '.join(keys)}"
-                hint = REMOVED.get(key, hint)
                 yield key, f"there is no key {key}; {hint}"
                 continue
             try:

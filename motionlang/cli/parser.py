@@ -7,7 +7,6 @@ import re
 import sys
 from typing import TYPE_CHECKING, NoReturn, TypeAlias
 
-from motionlang.cli.removed import REMOVED
 from motionlang.kernel.tools import nearest
 
 if TYPE_CHECKING:
@@ -48,8 +47,6 @@ class Parser(argparse.ArgumentParser):
             words = self._options() if wrong[1] else {word: word for word in self._words()}
             if wrong[1] and wrong[1].removeprefix("--") in self.verbs:
                 return f"motionlang {wrong[1].removeprefix('--')} is a command of its own"
-            if (wrong[1] or wrong[2]).removeprefix("--") in REMOVED:
-                return REMOVED[(wrong[1] or wrong[2]).removeprefix("--")]
             near = nearest(wrong[1] or wrong[2], words)
             if near is not None:
                 return f"did you mean {words[near]}?"

@@ -11,7 +11,6 @@ from concurrent.futures import Executor
 from dataclasses import dataclass
 from typing import Any
 
-from motionlang.cli.removed import refuse_prove
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.job import Problem, Result, SweepJob, worker_of
 from motionlang.commands.sweep.pool import Hand
@@ -178,7 +177,6 @@ def sweep(
     machine: Mapping[str, object] | None = None,
     overrides: Mapping[str, float | str] | None = None,
     until: float | None = None,
-    prove: None = None,
     certify: bool = False,
 ) -> Rows:
     """Run a program in many variants and return an iterator over their rows.
@@ -196,7 +194,6 @@ def sweep(
     A variant with an error is a row with its `problem`. Errors that affect all variants are raised before the
     first one runs, as in `Sweep`.
     """
-    refuse_prove(prove)
     made = Sweep(
         program,
         grid,
