@@ -9,7 +9,6 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.kernel.planners.curve import Profile, hold
-from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.ramps import Curve
 from motionlang.kernel.planners.reparametrised import Reparametrised
 from motionlang.kernel.planners.sequence import ProfileSequence
@@ -57,7 +56,6 @@ def unpacked(row: Packed) -> Profile:
 
 # The attributes of each formula, in the order of its arguments.
 _COMPONENTS = {
-    "Extrapolated": ("profile", "lead"),
     "ProfileSequence": ("shape", "segments", "name"),
     "Reparametrised": ("along", "path", "shape", "lift"),
     "Superposed": ("first", "second", "shape"),
@@ -81,7 +79,6 @@ def _unpacked_component(component: object) -> object:
 
 def _formula(name: str, components: tuple[object, ...]) -> Profile:
     made: Profile = {
-        "Extrapolated": Extrapolated,
         "ProfileSequence": ProfileSequence,
         "Reparametrised": Reparametrised,
         "Superposed": Superposed,

@@ -55,7 +55,7 @@ PRINTED: dict[str, tuple[float | None, tuple[float, float] | None]] = {
 # Assumptions about the line or bus of a host, which no program on a controller can settle.
 ON_THE_LINE = 20
 # Open assumptions about a controller without an alternative, and those without a probe.
-WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 178 + ON_THE_LINE
+WITHOUT_ALTERNATIVES, WITHOUT_PROBE = 0, 148 + ON_THE_LINE
 # The number of assumptions that no controller can confirm, because they are choices of this program.
 OWN = 62
 # The assumptions about PMC's library for hosts. A log that it records answers them, not a program on a controller.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel.planners import Profile, hold, plan, plan_pvt, plan_trapezoid, plan_velocity
-from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.packed import packed, unpacked
 from motionlang.kernel.planners.sequence import chained
 from tests.kernel.planners.cases import plan_jerk
@@ -24,7 +23,6 @@ PROFILES: dict[str, tuple[Profile, int]] = {
     "segments": (plan_pvt([0.0, 10.0, 4.0], [0.0, 5.0, 0.0], [1.0, 0.5]), 6),
     "the rest of a move": (MOVE.after(0.7), 6),
     "a sequence": (chained(MOVE, MOVE.shifted(100.0)), 4),
-    "a position with a lead": (Extrapolated(MOVE, 0.1), 4),
 }
 
 
