@@ -43,7 +43,6 @@ GROUPS: dict[tuple[str, str], str] = {
     ("kernel/mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
                       "table_motion_splines"):
         "cams, splines and compensation share their tables, followers and triggers their masters",
-    ("kernel/mint/keywords", "presets presets_moves"): "a preset begins a move; a preset move is that of a preset",
     ("kernel/mint/runtime", "binding changes environment errors events power_up task waits"):
         "the environment of a program owns its tasks and events; each is handed its environment",
     ("kernel/mint/steps", "blocks calls expressions keywords program statements terminal unit waiting words"):

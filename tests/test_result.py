@@ -159,7 +159,7 @@ INPUT = {"channel": 1, "value": 1, "at": 0.1}
 ASK = "Dim n As Integer\nINPUT n\nWAIT = 500\n"
 MOVE = "MOVER(0) = 1 : GO(0) : MOVER(11) = 1 : GO(11) : MOVER(2) = 1 : GO(2)\n"
 KEY = "PRINT INKEY\n"
-HOST = "PRINT COMMS(2), NETINTEGER(4), DPRLONG(6), MODBUSTCP16(1, 6), COIL(7)\n"
+HOST = "PRINT COMMS(2), NETINTEGER(4), MODBUSTCP16(1, 6)\n"
 # A program, its machine, and what it depends on. A guess counts if the run has used it.
 GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
     ("WAIT = 500\n", {"input": [INPUT]}, ""),
@@ -186,12 +186,9 @@ GUESSES: tuple[tuple[str, dict[str, object], str], ...] = (
         {
             "comms": [{"element": n, "value": 1, "every": 0.1, "guess": True} for n in (10, 2)],
             "netdata": [{"element": 4, "value": 1, "guess": True}, {"element": 5, "value": 1}],
-            "dpr": [{"address": 6, "value": 1, "output": 1, "guess": True}],
             "modbus.register": [{"server": 1, "register": 6, "value": 1, "output": 1, "delay": 0.1, "guess": True}],
-            "coil": [{"coil": 7, "output": 1, "level": 0, "guess": True}, {"coil": 8, "guess": True}],
         },
-        "6 guesses of the machine file: comms element 2, 10; network data 4; dual-port RAM 6; "
-        "Modbus register 6; Modbus coil 8",
+        "4 guesses of the machine file: comms element 2, 10; network data 4; Modbus register 6",
     ),
     (
         MOVE,

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 
 from motionlang.commands.probe.entries import of_word
+from motionlang.commands.probe.fact_evidence import is_remembered
 from motionlang.commands.probe.keyword_facts import facts
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.views.formatting import dialect_name
@@ -24,6 +25,44 @@ TITLES = {
     "v4": "Older keywords",
     "state": "State of an axis",
     "tables": "Cams and splines",
+}
+# What a machine needs a group for, some of whose keywords are simulated from memory with low confidence.
+NEEDS = {
+    "mint": {
+        "axis": "the unit, the speed and the ramps of an axis",
+        "buffer": "moves that start at an input or at a position",
+        "constants": "the names of values",
+        "control": "the clock of the program, and memory that outlives it",
+        "encoders": "the units and the range of an encoder",
+        "errors": "a drive that its enable input switches off",
+        "events": "handlers that run while the program does something else",
+        "following": "gears that engage, and corrections of their phase",
+        "functions": "numbers and texts",
+        "homing": "finding the zero of the machine",
+        "identity": "a program that asks which controller runs it",
+        "io": "sensors, actuators and analogue channels",
+        "language": "conditions, loops, subroutines and declarations",
+        "latches": "positions at the edge of a sensor, such as a print mark",
+        "limits": "travel limits, error and stop inputs, and the reaction of an axis to them",
+        "motion": "jogs, dwells, outputs between moves, followers and cams",
+        "paths": "lines and arcs that join without a stop",
+        "servo": "a motor with a servo loop",
+        "state": "waiting for an axis, and reading where it is",
+        "stopping": "stopping, and going on after an error",
+        "tables": "the segments of a cam or a spline that run",
+        "tasks": "several things at the same time",
+        "terminal": "the screen of the operator",
+        "v4": "programs of Mint v3 and v4",
+    },
+    "mccl": {
+        "contour": "how far a contour has come",
+        "miscellaneous": "texts and figures on the terminal",
+        "motion": "homing, and a start after an error",
+        "registers": "values that a program computes with",
+        "reports": "an operator who asks the board",
+        "servo filter": "the output of a servo loop, and the scale of a stepper",
+        "trajectory": "full and half steps of a stepper",
+    },
 }
 # Control characters, mapped to the symbols that represent them.
 SIGNS = {code: 0x2400 + code for code in range(32) if code not in (9, 10)}
@@ -77,6 +116,7 @@ def _index(simulated: dict[str, list[Keyword]], known: list[Keyword], dialect: s
         "|---|---|",
         *(f"| [{_title(group)}]({path(dialect, group)}) | {len(simulated[group])} |" for group in simulated),
         f"| [{NOT_SIMULATED}]({path(dialect, NOT_SIMULATED)}) | {len(known)} |",
+        *_remembered(simulated, dialect),
         "",
         "## From A to Z",
     ]
@@ -86,6 +126,18 @@ def _index(simulated: dict[str, list[Keyword]], known: list[Keyword], dialect: s
         links = (f"[{name}]({path(dialect, group)}#{anchor(name)})" for name, group in of_initial)
         lines += ["", " · ".join(links)]
     return "\n".join(lines) + "\n"
+
+
+def _remembered(simulated: dict[str, list[Keyword]], dialect: str) -> Iterator[str]:
+    """Yield the table of the keywords that are simulated from memory, with the reason why a machine needs them."""
+    yield from ("", "## From memory", "")
+    yield "No document that could be read says what these keywords do. They are simulated because a program of an"
+    yield "ordinary machine would be judged wrongly without them."
+    yield from ("", "| group | a machine needs it for | keywords |", "|---|---|---|")
+    for group, members in simulated.items():
+        names = [f"`{row.name}`" for row in members if is_remembered(row, dialect)]
+        if names:
+            yield f"| [{_title(group)}]({path(dialect, group)}) | {NEEDS[dialect][group]} | {' '.join(names)} |"
 
 
 def _not_simulated(known: list[Keyword], dialect: str, simulated: set[str]) -> str:

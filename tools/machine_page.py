@@ -15,24 +15,20 @@ SENTENCES = {
     "input": "Digital inputs: set by time, by the position of an axis, or by an output. Several entries may set the "
     "same channel.",
     "analogue": "Analogue inputs: set by time or by the position of an axis.",
-    "remote": "Remote nodes on a bus: their inputs, encoders, comms arrays, dictionary objects and state. A node "
+    "remote": "Remote nodes on a bus: their inputs and state. A node "
     "without an entry is live and holds zeros.",
-    "bus": "The state of a bus, for `BUSEVENT` and `BUSSTATE`. While it is off, no node answers.",
-    "pdo": "Process data from nodes, for `REMOTEPDOIN`.",
+    "bus": "The state of a bus, for `BUSEVENT`. While it is off, no node answers.",
     "modbus.server": "Modbus servers that the program uses as a client, with keywords such as `MODBUSTCP16`. If the "
     "file names none, every server exists and holds zeros, and the report says so.",
     "modbus.register": "Changes of registers of a Modbus server. Of two registers, the lower one has the lower half.",
-    "coil": "Coils of the controller that a Modbus client writes.",
     "encoder": "Encoders that something outside the controller turns, such as a conveyor that a program follows.",
     "fault": "Faults of an axis, of its drive or of the controller: at a time, at a position, or when the program "
     "reaches a line for the first time. The program chooses how the axis reacts (`FOLERRORMODE`, `ERRORINPUTMODE`, "
     "`LIMITMODE`); a drive that faults switches off.",
     "key": "Keys that the operator presses.",
     "answer": "Lines that the operator types, one for each `INPUT`.",
-    "serial": "Characters received at serial ports, for `SERIALCHAR` and the event `SERIALRECEIVE`.",
     "comms": "Values that the host writes into the comms array of a Mint controller; they raise the events of the "
     "elements.",
-    "dpr": "Values that the host writes into the dual-port RAM of a controller on a PC's bus; they raise no event.",
     "netdata": "Values that the host writes into NetData; they raise the events of the elements.",
     "expect": "Expectations that `motionlang verify` checks after the run, in the machine file and in scenarios "
     "([scenarios.md](scenarios.md)). Each entry expects one thing.",

@@ -31,17 +31,15 @@ CHAPTERS = {
     ),
     "Subs and functions": "subs by_reference array_parameters recursion style_functions",
     "Time and tasks": "time tasks priorities semaphore",
-    "Events": "events masked_events machine/urgency style_events machine/input_events machine/pending",
-    "Printing and the operator": (
-        "print using style_print screen operator machine/keys machine/terminals machine/serial"
-    ),
+    "Events": "events masked_events machine/urgency style_events machine/input_events",
+    "Printing and the operator": ("print using style_print screen operator machine/keys machine/terminals"),
     "Errors": (
         "onerror onerror_registers onerror_at_the_end reading_errors machine/error_numbers machine/error_lines"
-        " machine/error_masks machine/never"
+        " machine/enable_input machine/never"
     ),
     "Axes and moves": (
-        "axes omitted_values style_motion motion machine/axis_state machine/stopping jog machine/jogging restoring"
-        " machine/references machine/presets machine/handshakes machine/holding correction"
+        "axes omitted_values style_motion motion machine/axis_state machine/stopping jog restoring"
+        " machine/handshakes machine/holding"
     ),
     "Units and wraps": "units machine/wraps machine/compensation",
     "The move buffer": "buffer machine/buffer_status machine/buffer_entries machine/triggers",
@@ -51,17 +49,14 @@ CHAPTERS = {
     "Homing": "machine/homing machine/homing_types machine/homing_by_input machine/homing_without_switch",
     "Limits": "machine/soft_limits machine/limit_switches machine/axis_inputs machine/stop_inputs",
     "Inputs and outputs": (
-        "machine/digital_inputs machine/edges machine/debounce machine/outputs machine/signals machine/relays"
-        " machine/analogue machine/camboxes"
+        "machine/digital_inputs machine/edges machine/debounce machine/outputs machine/signals machine/pulses"
+        " machine/analogue"
     ),
-    "Latches and position compare": (
-        "machine/latches machine/wrapped_latch machine/latch_settings machine/fastaux machine/compare"
-        " machine/wrapped_compare"
-    ),
+    "Latches": "machine/latches machine/wrapped_latch machine/latch_settings machine/index_marks",
     "Motors": "machine/servo machine/torque",
     "Communication": (
-        "machine/comms machine/packed_texts machine/comms_esb machine/modbus_own machine/modbus_client"
-        " machine/modbus_unknown machine/remote machine/other_nodes machine/bus_events machine/dual_port"
+        "machine/comms machine/packed_texts machine/comms_esb machine/modbus_client"
+        " machine/modbus_unknown machine/remote machine/bus_events"
     ),
     "Memory that outlives the run": "nv_data",
     "The controller itself": "machine/identity machine/readings",

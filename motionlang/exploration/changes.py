@@ -10,10 +10,10 @@ from motionlang.kernel.lang import DRIVES
 from motionlang.kernel.tools import count_of
 
 # The tables of the machine file with the changes of the world, and those of them that have texts, and no numbers.
-TABLES = ("input", "analogue", "comms", "netdata", "dpr", "modbus.register", "coil", "key", "answer")
+TABLES = ("input", "analogue", "comms", "netdata", "modbus.register", "key", "answer")
 TEXTS = ("key", "answer")
 # The tables whose whole numbers are integers.
-WHOLE = ("netdata", "dpr", "modbus.register", "coil")
+WHOLE = ("netdata", "modbus.register")
 Entry = dict[str, object]
 # A channel of the world: its table, and its number there, 0 for a key or an answer.
 Channel = tuple[str, int]

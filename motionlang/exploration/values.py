@@ -33,7 +33,6 @@ USUAL: dict[str, Sequence[float | str]] = {
     "analogue": (50.0,),
     "comms": (10.0,),
     "netdata": (10,),
-    "dpr": (10,),
     "modbus.register": (10,),
 }
 # A level is tried so far from where a comparison turns, percent.
@@ -54,7 +53,7 @@ def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
 
 
 def first_write(channel: Channel) -> Change:
-    """Return the change of a number of a host, or of a coil, to 1."""
+    """Return the change of a number of a host to 1."""
     table, number = channel
     return Change(table, number, 1 if table in WHOLE else 1.0)
 

@@ -73,8 +73,8 @@ PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
 # So many marks are on the way of an axis that goes on and on, and positions are the same within this, uu.
 MARKS, SAME = 300, 0.01
 # The tables of numbers of a host, and those whose entries may happen again by themselves.
-NUMBERS = ("comms", "netdata", "dpr", "modbus.register")
-WRITES = (*NUMBERS, "coil", "key")
+NUMBERS = ("comms", "netdata", "modbus.register")
+WRITES = (*NUMBERS, "key")
 
 
 class FoundWorld(NamedTuple):

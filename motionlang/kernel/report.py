@@ -158,10 +158,7 @@ def _line_of_ramps(
 
 
 def _running(run: Run) -> dict[int, float | None]:
-    """Return the moves in progress by identity, with their start position if changed.
-
-    The run's end cuts a path short, so a path that is blended into it begins at the present position.
-    """
+    """Return the moves in progress by identity, with their start position if changed."""
     found: dict[int, float | None] = {}
     for axis in run.controller.axes.values():
         before: LoggedMove | None = None

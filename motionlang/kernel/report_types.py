@@ -43,10 +43,9 @@ class ReportDeviceWrite(TypedDict):
     server: NotRequired[int]
     bus: NotRequired[int]
     node: NotRequired[int]
-    kind: Literal["register", "output", "analogue-output", "element", "object", "estop", "pdo"]
-    number: NotRequired[int]
-    subindex: NotRequired[int]
-    value: float | str | None
+    kind: Literal["register", "output", "analogue-output"]
+    number: int
+    value: float
 
 
 class ReportDiagnostic(TypedDict):

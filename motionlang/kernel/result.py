@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.tracks.trace import Trace
 
 # The tables of what other devices write.
-_WRITTEN = ("comms", "netdata", "dpr", "modbus.register", "coil")
+_WRITTEN = ("comms", "netdata", "modbus.register")
 
 
 class Run:
@@ -74,7 +74,7 @@ class Run:
 
     @property
     def terminals(self) -> dict[str, list[str]]:
-        """Every line that the program printed elsewhere, by "terminal 2", "serial 1"."""
+        """Every line that the program printed elsewhere, by label, such as "terminal 2"."""
         return {label: terminal.lines for label, terminal in self.machine.terminals.items() if terminal.lines}
 
     @property

@@ -364,7 +364,4 @@ def _device(row: Row) -> str:
 
 
 def _target(row: Row) -> str:
-    if row["kind"] == "object":
-        return f"object 0x{row['number']:04X}, {row['subindex']}"
-    what = str(row["kind"]).replace("-", " ")
-    return f"{what} {row['number']}" if "number" in row else what
+    return f"{str(row['kind']).replace('-', ' ')} {row['number']}"

@@ -51,16 +51,6 @@ CASES: dict[str, tuple[str, dict[str, object], list[tuple[object, ...]]]] = {
         {},
         [("clamp", 50.0, 30.0, 5, 3), ("stop", 30.0, None, 7, 3)],
     ),
-    "a speed reference above the limit": (
-        "MAXSPEED(0) = 30\n" + SETTINGS + "SPEEDREF(0) = 80\nSPEEDREF(0) = 80\nWAIT 100\nSPEEDREF(0) = 0\n",
-        {},
-        [("clamp", 80.0, 30.0, 3, 3)],
-    ),
-    "a speed reference above that of the drive": (
-        "DRIVESPEEDMAX(0) = 30\n" + SETTINGS + "SPEEDREF(0) = -80\nWAIT 100\nSPEEDREF(0) = 0\n",
-        {},
-        [("clamp", 80.0, 30.0, 3, 3)],
-    ),
     "a stop in no time": (
         SETTINGS + "JOG(0) = 50\nWAIT 500\nCANCEL(0)\n",
         {},

@@ -57,7 +57,10 @@ def test_the_page_of_a_word() -> None:
 
 def test_the_page_of_a_word_that_is_not_simulated_says_so() -> None:
     text = page([CAM], "mint")
-    assert "  not simulated: the keyword is recognised, and a program that uses it gets a message.\n" in text
+    assert (
+        "  known, not simulated: a program that uses it gets a message. Reason: no document that\n"
+        "  could be read says what it does.\n" in text
+    )
     assert (
         "  known from  Mint type library (from memory with low confidence, not checked against a manual)\n"
         in text

@@ -20,12 +20,12 @@ PACKAGE = ROOT / "motionlang"
 _MODULES = {
     "kernel/planners": (
         "ramps shapes target transition ramp_down stop segment_speed lookahead reparametrised curve "
-        "cubics arc table_motion reference superposition dwell pieces sequence crossing"
+        "cubics arc table_motion superposition dwell pieces sequence crossing"
     ),
     "commands/plan": "solve reach",
     "kernel/controller": "settings",
     "kernel/controller/queue": "plan life stop track",
-    "kernel/controller/motion": "jog follow offset profile_playback reference takeup",
+    "kernel/controller/motion": "jog follow offset profile_playback takeup",
     "kernel/controller/moves": "cam course entries geometry path path_run",
 }
 FILES = tuple(f"{folder}/{name}.py" for folder, names in _MODULES.items() for name in names.split())

@@ -26,10 +26,6 @@ _CONTOUR = (
     "VECTORR(0, 1) = 20, 0\nCIRCLER(0, 1) = 0, 10, 90\nSPEED(0) = 30 : VECTORR(0, 1) = 0, 15\n"
     "HELIXR(0, 1, 2) = -8, 0, 180, 5\nVECTORR(0, 1) = 0, -10\nGO(0)\nPAUSE IDLE(0) And IDLE(1) And IDLE(2)\n"
 )  # fmt: skip
-_BLEND = (
-    "MOVEBUFFERSIZE(0, 1) = 9;\nBLENDMODE(0) = 1 : BLENDDISTANCE(0) = 4\nVECTORR(0, 1) = 20, 0\nVECTORR(0, 1) = 0, 30\n"
-    "VECTORR(0, 1) = -20, 10\nGO(0)\n" + _REST
-)  # fmt: skip
 _DRIVE = "JOG(0) = 30\nWAIT 700\n"
 _STOP = "STOP(0) : PAUSE IDLE(0)\nWAIT 100\nSTOP(1) : PAUSE IDLE(1)\n"
 _CAM = "Dim rise(5) As Float = 4, 10, 25, 20, 0\nMASTERDISTANCE(1) = 12\nCAMTABLE(1, rise)\n"
@@ -56,8 +52,6 @@ MINT = {
     "a contour": _RATES + _CONTOUR,
     "a contour in S-ramps": _SMOOTH + _RATES + _CONTOUR,
     "an arc": "MAXACCEL(0) = 70\n" + _RATES + "CIRCLER(0, 1) = -10, 0, 300 : GO(0)\n" + _REST,
-    "blends": _RATES + _BLEND,
-    "blends in S-ramps": _SMOOTH + _RATES + _BLEND,
     "gears": (
         _RATES + _SLAVE + "FOLLOWMODE(1) = 1 : FOLLOW(1) = 0.5\n" + _DRIVE + "FOLLOW(1) = -1.5\nWAIT 800\n"
         "SPEED(0) = 10 : OFFSET(1) = 7 : GO(1)\nWAIT 900\nJOG(0) = -20\nWAIT 500\n" + _STOP
@@ -78,13 +72,6 @@ MINT = {
         _RATES + "Dim way(5) As Float = 4, 5, 10, 10, 5\nSPLINETABLE(0, way)\n"
         "SPLINETIME(0) = 500\nSPLINE(0) = 0 : GO(0)\n"
         "WAIT 600\nSUSPEND(0) = 1\nWAIT 300\nSUSPEND(0) = 0\n" + _REST
-    ),
-    "speed references": _RATES + "SPEEDREF(0) = 40\nWAIT 1500\nSPEEDREF(0) = 15\nWAIT 900\nSPEEDREF(0) = 0\nWAIT 900\n",
-    "speed references with slopes": (
-        _RATES + "SPEEDREFACCELJERKSTARTTIME(0) = 100 : SPEEDREFACCELJERKENDTIME(0) = 60\n"
-        "SPEEDREFDECELJERKSTARTTIME(0) = 40 : SPEEDREFDECELJERKENDTIME(0) = 80\n"
-        "SPEEDREF(0) = 40\nWAIT 300\nSPEEDREF(0) = 15\nWAIT 900\nSPEEDREF(0) = 17\nWAIT 300\n"
-        "SPEEDREF(0) = -5\nWAIT 900\nSPEEDREF(0) = 0\nWAIT 900\n"
     ),
     "a dwell": _RATES + "MOVEBUFFERSIZE(0) = 9\nMOVER(0) = 30 : MOVEDWELL(0) = 250 : MOVER(0) = -30 : GO(0)\n" + _REST,
 }  # fmt: skip

@@ -46,23 +46,19 @@ SLICE: tuple[tuple[str, str, str, str, str], ...] = (
     ("kernel.controller.motion.offset", "offset", "left + distance", "left - distance", "two offsets.mnt"),
     ("kernel.planners.lookahead", "_ramps_of", "len(lengths) + 1", "len(lengths) - 1", "held paths in S-ramps.mnt"),
     ("kernel.controller.motion.offset", "offset", "left + distance", "left", "two offsets.mnt"),
-    ("kernel.controller.motion.reference", "SpeedReference.plan", "-2", "2", "speed references.mnt"),
     ("kernel.controller.motion.follow", "Gear._geared", "self.ratio", "self.locked", "gears of PMC.mcl"),
     ("kernel.controller.motion.follow", "Gear.set_ratio", _AT, "0.0 if ramp else INFINITY", "gears.mnt"),
-    ("kernel.controller.motion.follow", "FollowMove._sequence", "finish - start", "finish", "speed references.mnt"),
+    ("kernel.controller.motion.follow", "FollowMove.until", "time - self.start_time", "time", "gears.mnt"),
 )  # fmt: skip
 
 
-# Those that observe all limits and ends but are slow, or keep another order of blended paths.
+# Those that observe all limits and ends but are slow.
 SLOW: tuple[tuple[str, str, str, str, str], ...] = (
     ("kernel.planners.shapes", "Proportional.down", "v - u", "v", "events.mnt"),
     ("kernel.planners.shapes", "Proportional.peak", "self.mean / self.accel", "self.mean * self.accel", "moves.mnt"),
     ("kernel.planners.shapes", "ramps_of", "0.5 * accel", "0.5 / accel", "parabolas of PMC.mcl"),
     ("kernel.planners.segment_speed", "between", "length - used", "length + used", "events in S-ramps.mnt"),
     ("kernel.planners.arc", "arc_over", "half_turn * pi - phase", "half_turn * pi", "a contour.mnt"),
-    ("kernel.controller.moves.path_run", "PathRun._plan_blend", "min(wanted, most)", "max(wanted, most)", "blends.mnt"),
-    ("kernel.controller.moves.path_run", "PathRun._plan_blend", "length - min(wanted, most)", "length", "blends.mnt"),
-    ("kernel.planners.crossing", "position_crossing", "here - position", "here + position", "blends in S-ramps.mnt"),
     ("kernel.controller.queue.stop", "stop", "a.error_decel", "a.decel", "a limit.mnt"),
 )  # fmt: skip
 

@@ -20,13 +20,9 @@ _UNITS = {
 _NAMED: dict[str, tuple[float, ...]] = {
     "SCALEFACTOR": (1, 2.5, 4, 10, 100, 400),
     "POSSCALEFACTOR": (1, 2.5, 10),
-    "VELSCALEFACTOR": (1, 2, 10),
-    "ACCELSCALEFACTOR": (1, 2, 10),
-    "TIMESCALE": (0.5, 1, 2),
     "MOVEBUFFERSIZE": (2, 4, 20, 20, 20, 20),
     "FEEDRATEOVERRIDE": (0, 10, 50, 80, 100, 120, 200),
     "CONTOURANGLE": (0, 5, 30, 60, 90, 180),
-    "BLENDDISTANCE": (0, 0.5, 2, 5, 15),
     "MASTERDISTANCE": (2, 5, 10, 20, 40),
     "CAMAMPLITUDE": (-1, 0.5, 1, 2),
     "CAMSTART": (1, 2),
@@ -49,8 +45,6 @@ _NAMED: dict[str, tuple[float, ...]] = {
     "SRAMP": (0, 20, 50, 100),
     "HOME": tuple(range(10)),
     "HOMETYPE": tuple(range(10)),
-    "FREQ": (-50, 0, 20, 100),
-    "TORQUEREF": (0, 5, 20),
     "TORQUE": (0, 5, 20),
 }
 

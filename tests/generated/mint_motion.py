@@ -13,8 +13,8 @@ Dim spans(5) As Float = 4, 200, 100, 200, 100
 Dim k As Integer, faults As Integer"""
 # The actions of a program, by frequency; each is a method of `MintProgram`.
 ACTIONS = {
-    "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "blended": 4, "retarget": 4, "reversal": 5, "jog": 5,
-    "follow": 6, "cam": 5, "fly": 3, "spline": 5, "offset": 3, "home": 2, "reference": 3, "stop": 8, "suspend": 5,
+    "move": 12, "moves": 6, "line": 9, "arc": 5, "contour": 5, "retarget": 4, "reversal": 5, "jog": 5,
+    "follow": 6, "cam": 5, "fly": 3, "spline": 5, "offset": 3, "home": 2, "hold": 1, "stop": 8, "suspend": 5,
     "speed": 10, "setting": 8, "limit": 5, "zero": 4, "scale": 1, "drive": 2, "wait": 14, "rest": 8, "loop": 2,
     "dwell": 2, "triggered": 1,
 }  # fmt: skip
@@ -123,14 +123,7 @@ class MintProgram:
 
     def _write(self, name: str, axis: int) -> str:
         value = self.draw.value(table("mint")[name])
-        return f"{name}({axis}) = {self._near(axis, value) if name == 'POSREF' else value}"
-
-    def _near(self, axis: int, steps: object) -> str:
-        """Return a position that is a few thousandths of a unit from the present one.
-
-        A POSREF is reached within 1 ms, so a position far away would need up to 60,000 uu/s.
-        """
-        return f"POSDEMAND({axis}) + {steps} / 1000"
+        return f"{name}({axis}) = {value}"
 
     def _go(self, axis: int) -> str:
         return f"GO({axis})" if self.draw.chance(0.95) else "GO(0, 1)"
@@ -186,12 +179,7 @@ class MintProgram:
         return [*lines, "GO(0)"]
 
     def _contour(self) -> list[str]:
-        return [f"BLENDMODE(0) = 0 : CONTOURMODE(0) = 1 : {self._write('CONTOURANGLE', 0)}", *self._paths(2)]
-
-    def _blended(self) -> list[str]:
-        if self.draw.chance(0.3):
-            return ["BLEND(0)"]
-        return [f"CONTOURMODE(0) = 0 : BLENDMODE(0) = 1 : {self._write('BLENDDISTANCE', 0)}", *self._paths(2)]
+        return [f"CONTOURMODE(0) = 1 : {self._write('CONTOURANGLE', 0)}", *self._paths(2)]
 
     def _retarget(self) -> list[str]:
         return [self._write(self.draw.choice(("INCR", "INCA")), self._axis())]
@@ -219,8 +207,6 @@ class MintProgram:
 
     def _jog(self) -> list[str]:
         axis, draw = self._axis(), self.draw
-        if draw.chance(0.15):
-            return [f"JOGSPEED({axis}) = {draw.real(5, 60)} : JOGCOMMAND({axis}) = {draw.choice((-1, 0, 1))}"]
         return [f"JOG({axis}) = {draw.choice((0, draw.real(-60, 60), draw.real(-60, 60)))}"]
 
     def _dwell(self) -> list[str]:
@@ -250,8 +236,6 @@ class MintProgram:
 
     def _cam(self) -> list[str]:
         slave, draw = self._slave(), self.draw
-        if draw.chance(0.1):
-            return [f"CAMSEGMENT({slave}, 0, 2, small)"]
         rows = draw.choice(("rise", "small", "rise, ways", "rise, NULL"))
         names = ("MASTERDISTANCE", *(n for n in ("CAMAMPLITUDE", "CAMSTART", "CAMEND") if draw.chance(0.2)))
         return [
@@ -290,18 +274,8 @@ class MintProgram:
         lines = [self._write(n, axis) for n in ("HOMESPEED", "HOMEBACKOFF", "HOMEACCEL") if draw.chance(0.4)]
         return [*lines, self._write("HOME", axis)]
 
-    def _reference(self) -> list[str]:
-        axis, draw = self._axis(), self.draw
-        name = draw.choice(("SPEEDREF", "VELREF", "POSREF", "SPEEDTESTREF", "HTA"))
-        value = draw.choice((0, draw.real(-60, 60)))
-        lines = [f"{name}({axis}) = {self._near(axis, value) if name == 'POSREF' else value}"]
-        if name == "SPEEDREF":
-            times = [f"SPEEDREFACCELTIME({axis})", f"SPEEDREFDECELTIME({axis})"]
-            lines.insert(
-                0,
-                " : ".join([f"DRIVESPEEDMAX({axis}) = 100", *(f"{t} = {draw.real(50, 900)}" for t in times)]),
-            )
-        return lines
+    def _hold(self) -> list[str]:
+        return [f"HTA({self._axis()}) = {self.draw.choice((0, self.draw.real(-60, 60)))}"]
 
     # ----------------------------------------------------------------------------------------------- changes
 
@@ -327,8 +301,6 @@ class MintProgram:
 
     def _speed(self) -> list[str]:
         axis, draw = self._axis(), self.draw
-        if draw.chance(0.08):
-            return [f"FEEDRATEPARAMETER({axis}, {draw.randrange(4)}) = {draw.real(10, 500)}"]
         return [" : ".join(self._write(draw.choice(_SPEEDS), axis) for _ in range(draw.choice((1, 1, 2))))]
 
     def _setting(self) -> list[str]:

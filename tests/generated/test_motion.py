@@ -11,7 +11,7 @@ from motionlang import Run, run
 from motionlang.kernel import Source
 from tests.cases import examples
 from tests.generated.checks import findings
-from tests.generated.motion import UNTIL, Generated, generate
+from tests.generated.motion import UNTIL, generate
 
 # Seeds of the sample in CI, and of a long run in batches.
 FIRST, SLICE, BATCHES, BATCH = 1, 200, 20, 1000
@@ -29,17 +29,6 @@ def test_programs_of_many_seeds_have_no_finding(batch: int) -> None:
     first = 10_000 + batch * BATCH
     found = {seed: messages for seed in range(first, first + BATCH) if (messages := findings(generate(seed)))}
     assert found == {}
-
-
-def test_a_run_may_end_while_two_blended_paths_come_to_rest() -> None:
-    """SPLINE is rejected while STOP brakes both paths for 0.47 ms.
-
-    Both entries end after the run.
-    """
-    modes = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 15 : FEEDRATE(0) = 47\n"
-    paths = "VECTORR(0, 1) = 60, -60\nVECTORR(0, 1) = 0, -60\nGO(0)\nWAIT = 1650\n"
-    program = Generated(0, "mint", f"{modes}{paths}STOP(0)\nSPLINE(0) = 12\n", {})
-    assert findings(program) == []
 
 
 def test_a_seed_always_gives_the_same_program_and_others_differ() -> None:

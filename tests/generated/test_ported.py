@@ -72,6 +72,8 @@ def port(seed: int, cell: Cell) -> bool:
     for report in (before, after):  # the decimals of POS, which the port reports
         trimmed = (re.sub(r"(\.\d*?)0+\b", r"\1", line) for line in report["output"])
         report["output"] = [re.sub(r"\.(?!\d)", "", line) for line in trimmed]
+        # A note quotes a wait in the notation of its program.
+        report["notes"] = [re.sub(r"([A-Z])\.(\d+)", r"\1(\2)", note) for note in report["notes"]]
     found = difference(before, after)
     assert found.same, f"seed {seed}: {diff_lines(found, None, [], colour=False, most=9)}"
     return True

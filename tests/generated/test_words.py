@@ -46,5 +46,5 @@ def test_the_count_lists_the_rarest_first(capsys: pytest.CaptureFixture[str]) ->
     assert main(["20", "--family", "words", "--words"]) == 1
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert len(lines) == len(simulated("mint")) + len(simulated("mccl"))
-    assert lines[0] == ["mint", "ACCELDEMAND", "0", "no", "reason"]
+    assert lines[0] == ["mint", "ABORT", "0", "no", "reason"]
     assert ["mint", "SPEED", str(count)] in lines

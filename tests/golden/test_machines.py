@@ -47,7 +47,6 @@ OVER: dict[str, float] = {
     + there(5.5, 100, 1000),
     "rotary-table": 45 / 20 + 0.1 + 0.2 + 1.01 + 5 + 0.02 + there(0.02, 2, 100)
     + there(90, 180, 720) + 2 * there(120, 180, 720) + there(240, 180, 720),
-    "camera-strobe": there(120, 100, 1000),
     "flying-shear": 0.2 + 4 * 2.5 + 0.2,
     "labeller": 0.2 + (955 - 20) / 200 + there(60, 200, 2000) + 0.2,
     "punch-trigger": 1.4 + there(25, 500, 10000),

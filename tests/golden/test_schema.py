@@ -48,11 +48,6 @@ def runs() -> Iterator[Run]:
         ("MOVR(0) = 1\n", "mint"),
         ("PRINT 1 / 0\n", "mint"),
         ("PRINT #2, 5\nMODBUSTCP32(4, 6) = -1\nREMOTEOUTX(1, 2, 3) = 1\nREMOTEDAC(1, 2, 3) = -5\n", "mint"),
-        (
-            'REMOTECOMMS(1, 2, 5) = 1 / 3\nREMOTEOBJECTSTRING(1, 2, 7, 1) = "IO"\nREMOTEESTOP(1, 2) = 1\n',
-            "mint",
-        ),
-        ("REMOTEPDOOUT(1, 2, -1)\nREMOTEOBJECTFLOAT(1, 2, 7, 1) = 1e300 * 1e300\n", "mint"),
         ("1XX\n9MR5\n", "mccl"),
         ("", "mccl"),
     ):

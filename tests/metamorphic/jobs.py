@@ -11,7 +11,7 @@ PAUSES = ("PAUSE IDLE(0)", "PAUSE IDLE(1)", "PAUSE IDLE(2)")
 
 
 class Contour:
-    """Contoured or blended paths of two or three axes, `count` of them, with limits.
+    """Contoured paths of two or three axes, `count` of them, with limits.
 
     They are lines, arcs and helices. With `events`, speeds, overrides, limits, suspends and further paths come while
     they run.
@@ -59,7 +59,7 @@ class Contour:
         if how < 0.6:
             self.lines.append(f"CONTOURMODE(0) = 1 : CONTOURANGLE(0) = {choose.choice((0, 5, 30, 60, 180))}")
         elif how < 0.8:
-            self.lines.append(f"BLENDMODE(0) = 1 : BLENDDISTANCE(0) = {real(0.1, 4)}")
+            self.lines.append(f"CONTOURMODE(0) = 1 : CONTOURANGLE(0) = {real(10, 90)}")
 
     def _path(self) -> str:
         choose, real = self.choose, self._real

@@ -51,13 +51,6 @@ def test_a_path_that_is_resumed_while_it_comes_to_rest_goes_on(wait: int) -> Non
     ends(proved(f"{program}WAIT {wait}\nSUSPEND(0) = 0\n" + END), 60.0, 0.0)
 
 
-@pytest.mark.parametrize("wait", [417, 456, 480, 527])
-def test_a_path_that_is_resumed_is_not_blended_into_the_next_one_before_its_distance(wait: int) -> None:
-    paths = "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 2\nVECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 10\nGO(0)\n"
-    suspend = f"WAIT 600\nSUSPEND(0) = 1\nWAIT {wait}\nSUSPEND(0) = 0\n"
-    ends(proved(H + JERKS + paths + suspend + END), 60.0, 10.0)
-
-
 def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard() -> None:
     """The stop begins 6.1 before an arc on which MAXDECEL allows only 14.
 

@@ -108,8 +108,8 @@ def _check_knots(
     If it `completes_trapezoid`, the acceleration may jump up to the first standstill.
     """
     profile = a.profiles[i]
-    is_planned = order.kind in (*PLANNED, "path") or order.slopes is not None
-    bends = order.bends and profile.shape != "blend"
+    is_planned = order.kind in (*PLANNED, "path")
+    bends = order.bends
     names = ("position", "velocity", "acceleration")[: 1 + is_planned + (is_planned and bends)]
     sizes = [max(1.0, abs(profile.start))]
     # A ramp between velocities that differ by rounding takes no time, whatever its rate: its change of

@@ -271,10 +271,6 @@ class RunRecords:
         found = [self.entries.get((number, path.begun, path.nth)) for number in path.members]
         return [entry for entry in found if entry is not None and entry.profile is not None]
 
-    def is_blended(self, a: Axis, time: float) -> bool:
-        """True if an axis is on two paths at once."""
-        return a.profiles[a.index_at(time)].shape == "blend"
-
     def logged(self, a: Axis, move: LoggedMove, time: float, ending: bool) -> float:
         """Return a track's position from a log entry, without the motion of blended paths.
 

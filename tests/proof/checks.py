@@ -48,14 +48,14 @@ from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import MotionState, Profile
 from motionlang.kernel.tracks import Samples
 from tests.proof.axes import PLANNED, check_profile
-from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
+from tests.proof.checker import SLACK, Proof, RunRecords
 from tests.proof.entries import Ends, check_ends, take_entry
 from tests.proof.expected_motion import MAX_PROFILES, ExpectedMotion
-from tests.proof.followers import check_points, check_reference, check_tie
+from tests.proof.followers import check_points, check_tie
 from tests.proof.offsets import check_missing
 from tests.proof.order import Order, PathOrder
 from tests.proof.outputs import check_report, check_trace
-from tests.proof.paths import check_blended, check_path, check_path_end, in_force
+from tests.proof.paths import check_path, check_path_end, in_force
 from tests.proof.segments import half_angle
 from tests.proof.settings import check_settings
 
@@ -100,13 +100,10 @@ def prove(
                 check_profile(proof, a, i, plan, records[max(i - 1, 0)], end - begin)
                 if order.path is not None and order.path.members[0] == number:
                     check_path(proof, run, a, i, order, end)
-                    check_blended(proof, run, a, i, order, end)
                 elif order.tie is not None:
                     check_tie(proof, run, a, i, order, end)
                 elif order.points is not None:
                     check_points(proof, a, i, order)
-                elif order.kind == "reference":
-                    check_reference(proof, a, i, order)
             if i:
                 _check_join(proof, run, a, i)
     check_settings(proof, run)
@@ -162,7 +159,7 @@ def _check_join(proof: Proof, run: RunRecords, a: Axis, i: int) -> None:
     # While the time is rounded, the acceleration changes by the jerk: at once with a jerk time of 0.
     jerk = max(order.jerks) if order.jerks[0] < inf else abs(before.jerk)
     if kinds == ("path", "path") and order.path is not None and order.path.members[0] == a.index:
-        bend = _bend(order.path, _alone(run, a, i) or _both(run, order, time))
+        bend = _bend(order.path, _both(run, order, time))
         if bend > size + 4.0 * late * jerk:
             proof.breaks(line, f"{where}: the acceleration along the path jumps by {bend:g}")
     elif order.kind in PLANNED and kinds[0] in (*PLANNED, "rest") and earlier.bends:
@@ -198,13 +195,6 @@ def _excuse(run: RunRecords, a: Axis, i: int, kinds: tuple[str, str]) -> str:
         return ""
     scales = order.path.scales
     old, new = _both(run, order, a.starts[i])
-    alone = _alone(run, a, i)
-    if alone is not None:
-        k = order.path.members.index(a.index)
-        jump, paths_jump = new[k].velocity - old[k].velocity, alone[1][k].velocity - alone[0][k].velocity
-        if abs(jump - paths_jump) > SLACK * max(1.0, abs(jump)):
-            return ""  # a path that is blended with both continues unchanged
-        old, new = alone
     before, after = _speed(scales, old), _speed(scales, new)
     if abs(before - after) > SLACK * max(1.0, before) or not before:
         return ""
@@ -252,22 +242,6 @@ def _at_last(profile: Profile, time: float) -> MotionState:
     At the end itself a profile has no acceleration.
     """
     return profile.at(min(time, nextafter(profile.duration, 0.0)))
-
-
-def _alone(run: RunRecords, a: Axis, i: int) -> tuple[list[MotionState], list[MotionState]] | None:
-    """Return the states before and after a join, without a path blended with both.
-
-    None if no path continues into another one, or none is blended with it.
-    """
-    earlier, path = (run.expected_motion.of[a.index][k].path for k in (i - 1, i))
-    if earlier is None or path is None or a.profiles[i - 1].shape != "blend":
-        return None
-    ended = [entry.profile for entry in run.members(earlier) if entry.profile is not None]
-    begun = [entry.profile for entry in run.members(path) if entry.profile is not None]
-    ends = [earlier.begun + each.duration for each in ended]
-    if not ends or abs(max(ends) - path.begun) > ROUNDED * (1.0 + path.begun):
-        return None
-    return [_at_last(each, each.duration) for each in ended], [each.at(0.0) for each in begun]
 
 
 def _both(run: RunRecords, order: Order, time: float) -> tuple[list[MotionState], list[MotionState]]:

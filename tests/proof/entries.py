@@ -156,7 +156,7 @@ def _check_ended(proof: Proof, run: RunRecords, a: Axis, found: Ends, move: Logg
                 move.line, f"{where}: it is logged as ended by a {move.ended} that was not commanded"
             )
     elif not move.ended and move.profile.duration:
-        is_resting = last.kind in RESTING or last.slopes is not None
+        is_resting = last.kind in RESTING
         if is_resting and abs(move.profile.end_velocity) > SLACK * max(1.0, move.profile.peak_speed):
             proof.breaks(move.line, f"{where}: it is logged as complete, but is still moving")
         points = None if last.points is None or move.offset else last.points[0]

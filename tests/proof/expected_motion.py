@@ -7,7 +7,6 @@ the program, never a planner's result.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from copy import copy
 from operator import itemgetter
 from typing import Any
 
@@ -20,8 +19,6 @@ from motionlang.kernel.controller import (
     PathMove,
     PathRun,
     Playback,
-    PositionReference,
-    SpeedReference,
     Stopping,
     StraightLine,
 )
@@ -80,8 +77,6 @@ class ExpectedMotion(MotionListener):
         # The order of the last plan of each path, in progress or ahead: settings that led to no other plan do
         # not act.
         self._plans: dict[PathMove, Order] = {}
-        # The paths in progress by their master, with their last orders.
-        self._in_progress: dict[int, dict[PathMove, Order]] = {}
         # When the log entry of a path began, and its number in the log: a long one continues as another
         # entry.
         self._entries: dict[LoggedMove, tuple[float, int]] = {}
@@ -196,44 +191,11 @@ class ExpectedMotion(MotionListener):
         assert isinstance(action, PathMove)
         if action not in self._nth:
             self._nth[action] = len(self._nth)
-        before = self._entries.get(move, (-1.0, -1))[1]
-        entry = self._entry(move)
-        order = self._planned_by(a, action, before, entry) or self._planned(action, move, entry)
+        order = self._planned(action, move, self._entry(move))
         assert order.path is not None
         for each in _paths_ahead(action):
             self._angles.setdefault(each, _angle_through(each))
-        order = order._replace(path=order.path._replace(angle_into=self._angles.get(action, 0.0)))
-        if a is action.axes[0] and order.path is not None:
-            running = self._in_progress.setdefault(a.index, {})
-            tails = self._tails(running, action, order.path.comes_to_rest)
-            order = running[action] = order._replace(path=order.path._replace(tails=tails))
-        return order
-
-    def _tails(
-        self, running: dict[PathMove, Order], action: PathMove, comes_to_rest: bool
-    ) -> tuple[Order, ...]:
-        """Return the orders of the blended paths still in motion, except the newest.
-
-        Settings that come too late for a path apply to it only from its next plan on.
-        """
-        found = []
-        for each, before in list(running.items()):
-            move = each.moves[0]
-            if each is action or move.profile is None:
-                continue
-            if move.start_time + move.profile.duration <= self._controller.clock.now:
-                del running[each]
-                continue
-            order = _path(each, move, self._nth[each], self._entry(move))
-            assert order.path is not None
-            path = order.path._replace(comes_to_rest=order.path.comes_to_rest or comes_to_rest)
-            order = order._replace(path=path)
-            assert before.path is not None
-            # A stop that comes too late for it is checked with the present rates.
-            stops = path.comes_to_rest and not before.path.comes_to_rest
-            running[each] = order if stops or self._is_planned_now(each) else _gentler(order, before)
-            found.append(running[each])
-        return tuple(found)
+        return order._replace(path=order.path._replace(angle_into=self._angles.get(action, 0.0)))
 
     def _entry(self, move: LoggedMove) -> int:
         """Return the log number of a path's entry; for a long path, of the last entry."""
@@ -243,26 +205,6 @@ class ExpectedMotion(MotionListener):
             entry = len(moves) - 1 - next(k for k, each in enumerate(reversed(moves)) if each is move)
             self._entries[move] = move.start_time, entry
         return entry
-
-    def _planned_by(self, a: Axis, action: PathMove, before: int, entry: int) -> Order | None:
-        """Return the order of a path that continues as planned.
-
-        Only the path that it is blended with has changed. The number of its log entry was `before`, and is
-        now `entry`.
-        """
-        run = action.run
-        if run is None or len(run.courses) < 2 or run.present.began == self._controller.clock.now:
-            return None
-        order = next(
-            order
-            for order in reversed(self.of[a.index])
-            if order.path is not None and order.path.entry == before
-        )
-        if entry == before:
-            return order
-        assert order.path is not None
-        assert a.move is not None
-        return order._replace(path=order.path._replace(begun=a.move.start_time, entry=entry))
 
     def _planned(self, action: PathMove, move: LoggedMove, entry: int) -> Order:
         """Return the order of the newest path, with the settings of its last plan.
@@ -283,26 +225,10 @@ class ExpectedMotion(MotionListener):
         return order._replace(shape=planned.shape, ramp=planned.ramp)
 
     def _is_planned_now(self, action: PathMove) -> bool:
-        courses = () if action.run is None else action.run.courses
-        return any(each.here is action and each.planned_at == self._controller.clock.now for each in courses)
-
-    def displace(self, action: PathMove) -> None:
-        """Update the geometry in the orders of a path that has been displaced.
-
-        This happens if the path with which it is blended is cut short.
-        """
-        if action not in self._nth:
-            return
-        begun, nth = action.moves[0].start_time, self._nth[action]
-        for a in action.axes:
-            records = self.of[a.index]
-            for back, start in enumerate(reversed(a.starts), 1):
-                order = records[-back]
-                if start < begun:
-                    break
-                if order.path is not None and (order.path.begun, order.path.nth) == (begun, nth):
-                    path = order.path._replace(**_geometry_fields(action))
-                    records[-back] = order._replace(path=path)
+        course = None if action.run is None else action.run.course
+        return (
+            course is not None and course.here is action and course.planned_at == self._controller.clock.now
+        )
 
     def scale(self, axis: int, time: float) -> set[tuple[float, float]]:
         """Return counts per unit and zero of an axis at a time.
@@ -409,8 +335,8 @@ class _Full(MotionListener):
 
 def _paths_ahead(action: PathMove) -> list[PathMove]:
     """Return the paths that a path continues into."""
-    courses = () if action.run is None else action.run.courses
-    return [each for course in courses if course.here is action for each, _ in course.ahead]
+    course = None if action.run is None else action.run.course
+    return [each for each, _ in course.ahead] if course is not None and course.here is action else []
 
 
 def _angle_through(action: PathMove) -> float:
@@ -419,23 +345,6 @@ def _angle_through(action: PathMove) -> float:
     if action.policy is not None:
         return STRAIGHT
     return master.contour_angle if master.contour_mode else 0.0
-
-
-def _gentler(order: Order, before: Order) -> Order:
-    """Return the new order of a path that continues by its old plan while blended.
-
-    New rates may have come too late for it, and a new shape applies from its next plan on.
-    """
-    path, old = order.path, before.path
-    assert path is not None
-    assert old is not None
-    path = path._replace(
-        most_accel=tuple(map(max, path.most_accel, old.most_accel)),
-        most_decel=tuple(map(max, path.most_decel, old.most_decel)),
-    )
-    rates = max(order.rates[0], before.rates[0]), max(order.rates[1], before.rates[1])
-    order = order._replace(rates=rates, jerks=before.jerks, path=path)
-    return order._replace(shape=before.shape, ramp=before.ramp)
 
 
 def _order(a: Axis) -> Order:
@@ -452,13 +361,6 @@ def _order(a: Axis) -> Order:
         return Order("step", move.line, *_bounds(a, move), a.shape, step=action.step)
     if isinstance(action, Playback):
         return Order("Playback", move.line, points=action.ordered)
-    if isinstance(action, SpeedReference) and not a.suspended:
-        (up, down), most = action.slopes, min(action.most, a.max_speed)
-        goal = max(-most, min(action.velocity, most))
-        slopes = up.key(), down.key()
-        return Order("reference", move.line, abs(goal), (up.rate, down.rate), goal=goal, slopes=slopes)
-    if isinstance(action, PositionReference) and not a.suspended:
-        return Order("reference", move.line, goal=action.position)
     if action is not None and not isinstance(action, (Stopping, Jog)):
         return Order(type(action).__name__, move.line)
     speed, rates, jerks = _bounds(a, move)
@@ -570,10 +472,6 @@ def _geometry_fields(action: PathMove) -> dict[str, Any]:
     A relative path has none.
     """
     geometry = action.geometry
-    if action.displaced and not action.relative:
-        geometry = copy(geometry)
-        for k, by in enumerate(action.displaced):
-            geometry.shift(k, by)
     if isinstance(geometry, StraightLine):
         return {"line": tuple(geometry.targets), "centre": (0.0, 0.0), "rest": ()}
     return {"line": (), "centre": tuple(geometry.centre), "rest": tuple(geometry.rest)}

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from itertools import pairwise
-from math import fsum, inf, isfinite
+from math import fsum, isfinite
 
 from motionlang.kernel import Axis
 from motionlang.kernel.planners import Profile
-from tests.proof.axes import taken_over
 from tests.proof.checker import SLACK, BoundUses, Proof, RunRecords, position
 from tests.proof.order import Order, Tie
-from tests.proof.segments import derivatives, spans
-from tests.proof.stretches import stretches
+from tests.proof.segments import derivatives
 
 # Fractions of a segment at which two motions are compared: two cubics that agree at four of them are equal.
 FOUR = (0.05, 0.35, 0.65, 0.95)
@@ -197,36 +195,6 @@ def check_points(proof: Proof, a: Axis, i: int, order: Order) -> None:
                 words = f"point {n} is {points[n]:g} at {velocities[n]:g} counts/s"
                 proof.breaks(order.line, f"{where}: {words}, it is at {reached:g} at {speed:g} counts/s")
                 return
-
-
-def check_reference(proof: Proof, a: Axis, i: int, order: Order) -> None:
-    """Check that a reference ends at its position, or reaches its speed by its slopes."""
-    profile, where = a.profiles[i], f"axis {a.index} from {a.starts[i]:.6f} s"
-    if order.slopes is None:
-        if abs(profile.end - order.goal) > SLACK * max(1.0, abs(order.goal)):
-            proof.breaks(order.line, f"{where}: it ends at {profile.end:g}, commanded {order.goal:g}")
-        return
-    if not profile.pieced:
-        return
-    is_endless = not isfinite(profile.duration)
-    if is_endless and not order.goal:
-        proof.breaks(order.line, f"{where}: it never reaches its end")
-    uses, (v0, a0) = BoundUses(proof), taken_over(a, i)
-    slope, _, last = order.slopes[0 if a0 * v0 >= 0.0 else 1]
-    # The acceleration that it takes over is ramped down along the end of its slope.
-    came = max(abs(v0), abs(v0 + 0.5 * a0 * abs(a0) * last / slope))
-    for each in stretches(spans(profile, 0.0, profile.knots[-2] + 1.0 if is_endless else profile.duration)):
-        uses.compare("speed", each.speed, max(order.speed, came if each.slows else 0.0))
-        slope, first, last = order.slopes[each.side]
-        rate, jerk = order.rates[each.side], slope / min(first, last) if first and last else inf
-        if each.reverses or each.speed <= SLACK * max(1.0, order.speed):
-            rate, jerk = max(order.rates), inf
-        uses.compare("rate of a reference", each.rate, max(rate, abs(a0) if each.eases else 0.0))
-        uses.compare("jerk of a reference", each.jerk, jerk)
-    uses.report(order.line, where, " counts")
-    if abs(profile.end_velocity - order.goal) > SLACK * max(1.0, abs(order.goal)):
-        words = f"it reaches {profile.end_velocity:g} counts/s, commanded {order.goal:g}"
-        proof.breaks(order.line, f"{where}: {words}")
 
 
 def _on(curve: Profile, along: float) -> float:

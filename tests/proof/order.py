@@ -28,7 +28,7 @@ class PathOrder(NamedTuple):
 
     Sequence. `begun` is the start time. The path is the `nth` of the run, since several may begin at one time.
     `entry` is the number of the log entry of the axis that the order is for, -1 for a path that has not
-    begun. `tails` are the earlier paths with which it is blended. A path that `comes_to_rest` was stopped or
+    begun. A path that `comes_to_rest` was stopped or
     suspended: it may come to rest anywhere, and if it `leads_on`, on a later path that it continues into.
     """
 
@@ -50,7 +50,6 @@ class PathOrder(NamedTuple):
     comes_to_rest: bool = False
     leads_on: bool = False
     entry: int = -1
-    tails: tuple[Order, ...] = ()
 
 
 class Tie(NamedTuple):
@@ -87,8 +86,7 @@ class Order(NamedTuple):
     an action has infinite bounds. `rates` and `jerks` are pairs, for speeding up and for slowing down; jerks
     are infinite except for S-ramps. `goal` is the velocity of a jog, or the position or velocity of a
     reference, `ramp` the ratio of a PMC S-curve. `step` is the velocity at which a stepper starts and stops a
-    move of kind "step" at once. `slopes` belong to a speed reference: rate, begin and end of speeding up and
-    of slowing down. `points` are the points that a profile has to pass, with their velocities and the times
+    move of kind "step" at once. `points` are the points that a profile has to pass, with their velocities and the times
     between them.
     """
 
@@ -103,7 +101,6 @@ class Order(NamedTuple):
     path: PathOrder | None = None
     tie: Tie | None = None
     points: tuple[Sequence[float], Sequence[float], Sequence[float]] | None = None
-    slopes: tuple[tuple[float, float, float], tuple[float, float, float]] | None = None
     step: float = 0.0
 
     @property

@@ -43,11 +43,11 @@ def _check_row(proof: Proof, run: RunRecords, row: Mapping[str, object], move: L
             f"{where}: the report has it end at {move.start_time + duration:g} s, the run at {run.until:g} s",
         )
         return
-    if move.overlaid or move.offset or run.is_blended(a, move.start_time) or not isfinite(profile.start):
+    if move.overlaid or move.offset or not isfinite(profile.start):
         return
     points = [(move.start_time, start)]
     finish = move.start_time + duration
-    if isfinite(end) and finish <= run.until and not run.is_blended(a, finish):
+    if isfinite(end) and finish <= run.until:
         points.append((finish, end))
     for time, reported in points:
         counts = reported * move.scale + move.zero
@@ -70,7 +70,7 @@ def _check_peak(
     while k < len(a.starts) and a.starts[k] < late:
         profile, first = a.profiles[k], max(begin - a.starts[k], 0.0)
         last = min(finish, a.starts[k + 1] if k + 1 < len(a.starts) else finish) - a.starts[k]
-        if profile.shape == "blend" or run.expected_motion.of[a.index][k].kind == "rest":
+        if run.expected_motion.of[a.index][k].kind == "rest":
             return
         if profile.pieced:
             seen = max([seen, *(span.peak(1) for span in spans(profile, first, last - first))])

@@ -8,14 +8,11 @@ from math import inf, nextafter
 from motionlang.kernel import Axis
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
-from tests.proof.checker import ROUNDED, SLACK, Proof, RunRecords
+from tests.proof.checker import SLACK, Proof, RunRecords
 from tests.proof.order import Order, PathOrder
 from tests.proof.path_bounds import check_along, could_stop, spans_along
 from tests.proof.path_layout import PathLayout, end_positions
 from tests.proof.segments import Span
-
-# Paths that may overlap.
-MAX_OVERLAP = 2
 
 
 def check_path(proof: Proof, run: RunRecords, master: Axis, i: int, order: Order, end: float) -> None:
@@ -31,48 +28,20 @@ def check_path(proof: Proof, run: RunRecords, master: Axis, i: int, order: Order
     profiles = [entry.profile for entry in moves if entry.profile is not None]
     layout = PathLayout(path, run.origins(path))
     where = f"path from {begin:.6f} s"
-    fresh = False
-    if run.is_blended(master, begin):
-        proof.excuses("paths blended into each other")
-        along = spans_along([(profile, begin - path.begun) for profile in profiles], layout, end - begin)
-    else:
-        axes = [run.axes[number] for number in path.members]
-        indices = [a.index_at(begin) for a in axes]
-        tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, indices, strict=True)]
-        along = spans_along(tracks, layout, end - begin)
-        is_first = i > 0 and begin == path.begun and run.rest_of(moves[0]) is None
-        fresh = is_first and _speeds_up(run, order, path, master, i)
-        is_endless = min(profile.duration - time for profile, time in tracks) == inf
-        can_move = order.speed and min(order.rates) and layout.length and not path.comes_to_rest
-        if is_endless and can_move:
-            proof.breaks(order.line, f"{where}: it never reaches its end")
+    axes = [run.axes[number] for number in path.members]
+    indices = [a.index_at(begin) for a in axes]
+    tracks = [(a.profiles[k], begin - a.starts[k]) for a, k in zip(axes, indices, strict=True)]
+    along = spans_along(tracks, layout, end - begin)
+    is_first = i > 0 and begin == path.begun and run.rest_of(moves[0]) is None
+    fresh = is_first and _speeds_up(run, order, path, master, i)
+    is_endless = min(profile.duration - time for profile, time in tracks) == inf
+    can_move = order.speed and min(order.rates) and layout.length and not path.comes_to_rest
+    if is_endless and can_move:
+        proof.breaks(order.line, f"{where}: it never reaches its end")
     _check_geometry(proof, order, layout, profiles, along, (begin - path.begun, end - begin), where)
     if along:
         plan = order if could_stop(order, layout, along) else in_force(run, master, i, order)
         check_along(proof, order, plan, layout, along, where, fresh)
-
-
-def check_blended(proof: Proof, run: RunRecords, master: Axis, i: int, order: Order, end: float) -> None:
-    """Check the earlier paths that are blended with a profile's path while the profile is in force."""
-    path, begin = order.path, master.starts[i]
-    assert path is not None
-    count = 1
-    for tail in path.tails:
-        assert tail.path is not None
-        moves = run.members(tail.path)
-        if len(moves) != len(path.members) or moves[0].profile is None:
-            continue
-        finish = min(end, moves[0].start_time + moves[0].profile.duration)
-        if finish - begin > ROUNDED * (1.0 + begin):
-            count += 1
-            # A stop may come too late for it: then it ends as planned.
-            tail = tail._replace(path=tail.path._replace(leads_on=True))
-            check_rest(
-                proof, run, tail, in_force(run, master, i, tail, is_blended=True), begin, finish - begin
-            )
-    if count > MAX_OVERLAP:
-        words = f"{count} paths overlap at {begin:.6f} s, at most {MAX_OVERLAP} may"
-        proof.breaks(order.line, f"path from {path.begun:.6f} s: {words}")
 
 
 def check_rest(proof: Proof, run: RunRecords, order: Order, plan: Order, begin: float, length: float) -> None:
@@ -112,34 +81,29 @@ def _speeds_up(run: RunRecords, order: Order, path: PathOrder, master: Axis, i: 
     return power >= 0.0 and first < last * (1.0 - SLACK)
 
 
-def in_force(run: RunRecords, master: Axis, i: int, order: Order, is_blended: bool = False) -> Order:
+def in_force(run: RunRecords, master: Axis, i: int, order: Order) -> Order:
     """Return the order of a path at profile i, with the rates of the plans that it may continue.
 
-    A stop that comes too late continues the plan before it, and a path that is resumed may complete its stop. One that
-    `is_blended` with the next may keep any plan that it had.
+    A stop that comes too late continues the plan before it, and a path that is resumed may complete its stop.
     """
     found = order
     for earlier in _orders_before(run, master, i, order):
         assert order.path is not None
         assert earlier.path is not None
-        if not (is_blended or order.path.comes_to_rest or earlier.path.comes_to_rest):
+        if not (order.path.comes_to_rest or earlier.path.comes_to_rest):
             break
         found, order = _wider(found, earlier), earlier
     return found
 
 
 def _orders_before(run: RunRecords, master: Axis, i: int, order: Order) -> Iterator[Order]:
-    """Yield the earlier orders of a path, the last one first; it may have been blended with another one."""
+    """Yield the earlier orders of a path, the last one first."""
     assert order.path is not None
     for k in range(i - 1, -1, -1):
         before = run.expected_motion.of[master.index][k]
-        tails = before.path.tails if before.path is not None else ()
-        same = [
-            each for each in (before, *tails) if each.path is not None and each.path.nth == order.path.nth
-        ]
-        if not same:
+        if before.path is None or before.path.nth != order.path.nth:
             return
-        yield same[0]
+        yield before
 
 
 def _wider(one: Order, other: Order) -> Order:

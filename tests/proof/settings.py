@@ -64,7 +64,7 @@ def _check_setting(
             proof.breaks(order.line, f"{where}: {words}")
     elif kinds in (("move", "stop"), ("jog", "stop")):
         proof.breaks(order.line, f"{where}: it continues, commanded to stop")
-    elif kinds in (("jog", "jog"), ("reference", "reference")) and order.goal != wanted.goal:
+    elif kinds == ("jog", "jog") and order.goal != wanted.goal:
         words = f"it goes to {order.goal:g} counts/s, commanded {wanted.goal:g}"
         proof.breaks(order.line, f"{where}: {words}")
     elif kinds == ("move", "move") and a.profiles[i].pieced:

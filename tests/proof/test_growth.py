@@ -8,13 +8,6 @@ from tests.counted_calls import all_calls
 from tests.proof import prove, run
 from tests.proof.checker import Proof
 
-BLENDS = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
-PROFILEMODE(0) = 1 : ACCELJERK(0) = 200000 : DECELJERK(0) = 200000
-MOVEBUFFERSIZE(0) = 100 : MOVEBUFFERSIZE(1) = 100
-BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 0.0000333333
-{}GO(0)
-PAUSE IDLE(0)
-"""
 CONTOUR = """SPEED(0) = 40 : ACCEL(0) = 1000 : DECEL(0) = 1000
 CONTOURMODE(0) = 1 : MOVEBUFFERSIZE(0) = 100 : MOVEBUFFERSIZE(1) = 100
 {}GO(0)
@@ -39,7 +32,6 @@ def calls(text: str) -> int:
 @cases(
     "program, line",
     [
-        (BLENDS, "VECTORR(0, 1) = 0.03, 0.04\n"),
         (CONTOUR, "VECTORR(0, 1) = 0.3, 0.4\n"),
         (OFFSETS, "OFFSET(1) = 0.1 : GO(1)\nWAIT 60\n"),
     ],

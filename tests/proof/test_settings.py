@@ -18,8 +18,6 @@ MOTIONS = {
     "path": "VECTORR(0, 1) = 60, 80",
     "arc": "CIRCLER(0, 1) = 0, 20, 300",
     "S-ramps": "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 900 : VECTORR(0, 1) = 60, 80",
-    "blend": "MOVEBUFFERSIZE(0, 1) = 9; : BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5 : VECTORR(0, 1) = 60, 0 : "
-    "VECTORR(0, 1) = 0, 60",
 }
 
 

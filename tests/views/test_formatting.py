@@ -158,14 +158,10 @@ def test_writes_to_other_devices() -> None:
     rows: list[dict[str, object]] = [
         {"server": 2, "kind": "register", "number": 7, "value": 2.0},
         {"bus": 1, "node": 5, "kind": "analogue-output", "number": 3, "value": 12.5},
-        {"bus": 1, "node": 5, "kind": "object", "number": 0x6040, "subindex": 1, "value": 15.0},
-        {"bus": 1, "node": 5, "kind": "state", "value": "ready"},
     ]
     assert [line.split() for line in writes_table(rows).lines(100)[2:]] == [
         ["Modbus", "server", "2", "register", "7", "2"],
         ["node", "5", "of", "bus", "1", "analogue", "output", "3", "12.5"],
-        ["node", "5", "of", "bus", "1", "object", "0x6040,", "1", "15"],
-        ["node", "5", "of", "bus", "1", "state", "ready"],
     ]
     many = writes_table(rows[:1] * (MAX_WRITES + 2)).lines(100)
     assert many[-1] == "… and 2 more: --format json has all"

@@ -34,17 +34,6 @@ def test_at_most_40_writes_are_listed(count: int, rest: int) -> None:
     )
 
 
-def test_writes_of_texts_and_objects() -> None:
-    rows = [
-        {"node": 3, "bus": 1, "kind": "object", "number": 0x2005, "subindex": 2, "value": 1e9},
-        {"node": 3, "bus": 1, "kind": "state", "value": "reset"},
-    ]
-    assert [line.split() for line in writes_table(rows).lines(100)[-2:]] == [
-        ["node", "3", "of", "bus", "1", "object", "0x2005,", "2", "1000000000"],
-        ["node", "3", "of", "bus", "1", "state", "reset"],
-    ]
-
-
 def test_an_answer_that_was_typed_is_not_shown_again() -> None:
     """Only the first text after an answer is the program's echo of it."""
     shown: list[str] = []

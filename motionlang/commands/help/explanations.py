@@ -69,7 +69,6 @@ EXAMPLES: dict[str, Pair] = {
     "duplicate": _checked("Dim part = 1\nDim part = 2\nPRINT part\n", "Dim part = 1\npart = 2\nPRINT part\n"),
     "axis": _checked("SPEED(40) = 5\nMOVER(0) = 5 : GO(0)\n", "SPEED(0) = 5\nMOVER(0) = 5 : GO(0)\n"),
     "channel": _run("OUTX(1000) = 1\n", "OUTX(1) = 1\n"),
-    "output": _run("COMPAREENABLE(3) = 1\n", "COMPAREOUTPUT(0) = 3\nCOMPAREENABLE(3) = 1\n"),
     "terminal": _run("PRINT #0, 1\n", "PRINT #1, 1\n"),
     "one-terminal": _run(
         "Dim n\nTERMINAL = 3\nINPUT n\nPRINT n\n",
@@ -92,16 +91,11 @@ EXAMPLES: dict[str, Pair] = {
         "PAUSE INX(2)\nDRIVEENABLE(0) = 1\n" + _MOVE,
         "[axis.0]\nenable_input = 2\n[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n",
     ),
-    "brake": _run("MOTORBRAKE(0) = _ON\n" + _MOVE, "MOTORBRAKE(0) = _OFF\n" + _MOVE),
     "axis-error": _run(
         "SOFTLIMITFORWARD(0) = 3\nJOG(0) = 10\nPAUSE IDLE(0)\nMOVER(0) = -1 : GO(0)\n",
         "SOFTLIMITFORWARD(0) = 3\nJOG(0) = 10\nPAUSE IDLE(0)\nCANCEL(0)\nMOVER(0) = -1 : GO(0)\n",
     ),
     "moving": _run_mccl("1MN,1MR1000\n1CM1\n", "1MN,1MR1000,1WS\n1CM1\n"),
-    "contour-and-blend": _run(
-        "CONTOURMODE(0) = 1\nBLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
-        "BLENDMODE(0) = 1\nVECTORR(0, 1) = 10, 0\nGO(0)\n",
-    ),
     "stopping": _run(
         "DECEL(0) = 1\nJOG(0) = 5\nWAIT = 100\nSTOP(0)\nMOVER(0) = 5 : GO(0)\n",
         "DECEL(0) = 1\nJOG(0) = 5\nWAIT = 100\nSTOP(0)\nPAUSE IDLE(0)\nMOVER(0) = 5 : GO(0)\n",
@@ -116,9 +110,6 @@ EXAMPLES: dict[str, Pair] = {
     ),
     "never": _run("PAUSE INX(2)\nPRINT 1\n", "PAUSE IDLE(0)\nPRINT 1\n"),
     "not-primed": _run("PRINT ERRCODE\n", "If ERRORPRESENT(0, 0) Then PRINT ERRORREADNEXT(0, 0)\n"),
-    "event": _run(
-        "EVENTPEND(99, 0, 0)\n", "EVENTPEND(5, 0, 0)\nWAIT = 5\nEnd\nEvent TIMER\n  OUTX(1) = 1\nEnd Event\n"
-    ),
     "recursion": _run(
         "PRINT Down(9)\nFunction Down(ByVal n As Integer) As Integer\n  Down = Down(n - 1)\nEnd Function\n",
         "PRINT Down(9)\nFunction Down(ByVal n As Integer) As Integer\n  If n > 0 Then Down = Down(n - 1)\n"
@@ -182,7 +173,6 @@ FIXES: dict[str, str] = {
     "duplicate": "rename one of the two, or assign to the one that exists",
     "axis": "use an axis of this controller; controller.axes of the machine file sets their number",
     "channel": "use a channel of this controller; the hint names the range",
-    "output": "assign the output to the keyword first",
     "terminal": "use a terminal that exists; the hint lists them",
     "one-terminal": "choose one terminal with TERMINAL before INPUT",
     "index": "keep the subscript within the bounds of its Dim",
@@ -192,17 +182,14 @@ FIXES: dict[str, str] = {
     "argument": "test the value before this line",
     "disabled-axis": "enable the axis with DRIVEENABLE before it moves",
     "enable-input": "wait for the input before you enable the drive",
-    "brake": "release the brake before the move",
     "axis-error": "clear the error with CANCEL or RESET before the next move",
     "moving": "wait for standstill, or stop the axis first",
-    "contour-and-blend": "choose either CONTOURMODE or BLENDMODE",
     "stopping": "wait for standstill with PAUSE IDLE before the next move",
     "buffer-in-use": "set the size before the first move, or wait for standstill",
     "buffer-full": "start the moves before the buffer is full",
     "never": "start the motion that the program waits for; if the machine ends the wait, --input 2=1@0.5 or the "
     "machine file says when",
     "not-primed": "read an error with ERRORREADNEXT first",
-    "event": "raise an event that exists and has a handler",
     "recursion": "end the recursion with a condition",
     "limit": "end the run sooner with --until",
     "golden": "if the change is intended, motionlang verify --update FILE accepts it",

@@ -1,4 +1,4 @@
-"""A shorter cycle of a program, by other values of the numbers that set its speeds, rates, jerks and blend distances.
+"""A shorter cycle of a program, by other values of the numbers that set its speeds, rates and jerks.
 
 Problem. A machine could be faster than its program, but not everywhere: what is not on the critical path gains nothing,
 and what is must not exceed a limit, change the order of what the machine does, or break what a scenario expects.

@@ -56,7 +56,7 @@ class Improve(OutputOptions, shared.WorldOptions, ProgramOptions):
 
     title: ClassVar[str] = "improvement"
     epilog: ClassVar[str] = """\
-Changed are the numbers that set speeds, rates, jerks and blend distances of
+Changed are the numbers that set speeds, rates and jerks of
 axes with limits, as far as no limit is exceeded, each task does the same in the
 same order, and no scenario fails. The speeds of the process stay, such as that
 of a homing, a glue gun or a drill; --also SPEED[0]@9 tries one. The program

@@ -62,23 +62,15 @@ COMMS = """
 NETDATA = """
 # Elements of NetData that the host writes.
 """
-DPR = """
-# Words of the dual-port RAM that the host writes.
-"""
 REGISTERS = """
 # Registers of Modbus servers that the program reads.
-"""
-COILS = """
-# Modbus coils that the host writes.
 """
 HEADS = {
     "input": INPUTS,
     "analogue": ANALOGUE,
     "comms": COMMS,
     "netdata": NETDATA,
-    "dpr": DPR,
     "modbus.register": REGISTERS,
-    "coil": COILS,
     "answer": ANSWERS,
     "key": KEYS,
 }

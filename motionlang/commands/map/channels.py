@@ -52,7 +52,7 @@ class Channel:
     @property
     def direction(self) -> str:
         """ "in" or "out"; "in/out" of what a program may write and read."""
-        if "output" in self.kind or "relay" in self.kind:
+        if "output" in self.kind:
             return "out"
         is_read = bool(self.reads or self.waits or self.starts)
         if self.writes:

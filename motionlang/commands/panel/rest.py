@@ -22,7 +22,7 @@ SHADOW = 100_000
 # An entry that never acts: with it, a run knows since when the program asks for a value.
 NEVER: Entry = {"asked": 0.0, "times": 0}
 VALUES: Mapping[str, Entry] = {
-    **{table: {"value": 0} for table in ("comms", "netdata", "dpr", "modbus.register")},
+    **{table: {"value": 0} for table in ("comms", "netdata", "modbus.register")},
     "key": {"text": ""},
 }
 # The tables of the machine file that drive a channel, by its kind; a bank of inputs is known by what it reads.
@@ -31,13 +31,11 @@ TABLE_OF = {
     "analogue input": "analogue",
     "comms element": "comms",
     "network data": "netdata",
-    "dual-port RAM": "dpr",
-    "Modbus coil": "coil",
     "key": "key",
     "answer": "answer",
 }
 # The tables whose numbers a program may compute.
-NUMBERED = "input", "analogue", "comms", "netdata", "dpr"
+NUMBERED = "input", "analogue", "comms", "netdata"
 
 
 class PanelWait(NamedTuple):

@@ -22,7 +22,7 @@ Data = dict[str, Any]
 # The last moves whose starts and lines are shown.
 MAX_MOVES = 16
 # The tables whose elements a host writes.
-MEMORY = ("comms", "netdata", "dpr")
+MEMORY = ("comms", "netdata")
 
 
 # ---------------------------------------------------------------------------------------------------- what it has
@@ -92,7 +92,7 @@ def _others(used: Sequence[Channel]) -> list[Data]:
         if each.number.isdecimal() and is_read:
             if table == "analogue":
                 rows.append(_row(table, int(each.number), each.name, "slider", each))
-            elif table in (*MEMORY, "coil"):
+            elif table in MEMORY:
                 rows.append(_row(table, int(each.number), each.name, "field", each))
     return rows
 

@@ -31,6 +31,13 @@ UNITS = {
     "bool": "0 or 1",
     "bits": "a bit pattern",
 }
+# What a run does with a keyword that is not simulated, by the function of its row.
+IN_A_RUN = {
+    "no_effect.value": "what is written is stored and read back, without an effect",
+    "unsimulated.value": "a run ends where it reads a value that neither the program nor the machine file has given",
+    "unsimulated.command": "it has no effect",
+    "unsimulated.motion": "a run ends where the program uses it, unless it writes 0",
+}
 INDEX = {
     "axis": "an axis",
     "axes": "one axis or several",
@@ -69,7 +76,14 @@ def standing(row: Keyword, dialect: str) -> str:
     if is_remembered(row, dialect):
         return "as remembered, not as printed: no document that could be read says what it does."
     if row.caveat:
-        return f"{row.caveat}: the keyword is recognised, and a program that uses it gets a message."
+        is_named = of_word(dialect, row)["meaning"].strength == "name only"
+        reason = (
+            "the sources have only its name"
+            if is_named
+            else "no document that could be read says what it does"
+        )
+        effect = IN_A_RUN.get(row.function, "a program that uses it gets a message")
+        return f"known, not simulated: {effect}. Reason: {reason}."
     return ""
 
 

@@ -105,7 +105,7 @@ class Motions:
     def before(self, axes: tuple[int, ...], begin: float, near: float) -> Motion | None:
         """Return the earlier motion of given axes that leads up to `begin`.
 
-        It ended within `near` of `begin`, or was blended.
+        It ended within `near` of `begin`.
         """
         first = bisect_right(self.ends, begin + near)
         index = first - 1

@@ -48,7 +48,6 @@ OPEN: dict[str, str | dict[str, str]] = {
     "mint.run-task-runs": "run",
     "mint.end-task-sub": "end",
     "mint.event-order": "event",
-    "mint.eventpend": "eventpend eventunpend",
     "mint.dpr": "knife reset",
     "mint.errline-axis-controller": "errline",
     "mint.handler-tasks": "event",
@@ -56,11 +55,11 @@ OPEN: dict[str, str | dict[str, str]] = {
     "mint.timerevent": "timerevent",
     "mint.onerror": "onerror",
     "mint.call-depth": "sub function gosub",
+    "mint.defaultall": "defaultall",
     "mint.pending-error": "abort onerror",
     "mint.error-numbers": "errcode",
     "mint.groups": "_egall _egsynchronous _egaxis _egmisc _egcontroller",
     "mint.errorreadnext": "errorreadnext errorreadcode",
-    "mint.asyncerrorpresent": "asyncerrorpresent",
     "mint.axis-error": "errdata",
     "mint.float-form": "print ?",
     "mint.print-items": "print ?",
@@ -69,17 +68,14 @@ OPEN: dict[str, str | dict[str, str]] = {
     "mint.console": "terminal tm",
     "mint.terminal-of-task": "terminal tm",
     "mint.inkey": "inkey ik",
-    "mint.serial-ports": "serialchar terminaldevice terminalport terminalmode terminaladdress",
-    "mint.serialbufferusage": """
-serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclearerror
-""",
+    "mint.serial-ports": "terminaldevice terminalport terminalmode terminaladdress",
     "mint.cls": "cls locate bol beep",
     "mint.input": "input",
     "mint.float-decimals": "print ?",
     "mint.float-zeros": "print ?",
     "mint.float-exponent": "print ?",
     "mint.profilemode": "profilemode",
-    "mint.scale-changed": "scalefactor scale triggervalue poswrap cambox",
+    "mint.scale-changed": "scalefactor scale triggervalue poswrap",
     "mint.acceltime": "acceltime",
     "mint.acceltime-0-0": "acceltime",
     "mint.axes": "axes",
@@ -90,11 +86,6 @@ serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclear
     "mint.input-modes": "inputmode inputpostrigger inputnegtrigger imask",
     "mint.adc": "adc",
     "mint.pulseoutx": "pulseoutx",
-    "mint.relay": "relay relayout relayoutx",
-    "mint.motor-brakes": """
-motorbrakemode motorbrakedelay motorbrakeoutput motorbrakestatus motorbrake
-""",
-    "mint.stepper": "stepper steppervel",
     "mint.driveenableoutput": "driveenableoutput deo globalerroroutput geo",
     "mint.remote-nodes": "nodelive",
     "mint.errorinput": """
@@ -115,27 +106,19 @@ limitforwardinput lfi limitreverseinput lri softlimitforward softlimitreverse li
     "mint.stopmode": "stopmode",
     "mint.cancel": "cancel cn reset cancelall cna resetall",
     "mint.default": "default",
-    "mint.systemdefaults": "systemdefaults sdf factorydefaults fdf",
-    "mint.errormask": "errormask errormaskcode",
-    "mint.miscerrordisable": "miscerrordisable",
-    "mint.driveerror": "driveerror dre drivefault miscerror",
-    "mint.driveenableswitch": "driveenableswitch des enableswitch",
+    "mint.driveenableswitch": "driveenableswitch des",
     "mint.folerror": "folerror fe",
     "mint.home-types": "home hm",
     "mint.homing-replaced": "home hm",
     "mint.axismode": "axismode amd",
     "mint.idlemode": "idlemode",
     "mint.idle-of-axes": "axes",
-    "mint.latches": "latch fastlatch auxencoderzeroposition",
-    "mint.encoderzlatch": "encoderzlatch auxencoderzlatch aez",
-    "mint.cambox": "cambox camboxdata",
-    "mint.compare": "compareenable compareoutput",
+    "mint.latches": "latch fastlatch",
+    "mint.encoderzlatch": "auxencoderzlatch aez",
     "mint.poswrap": "poswrap",
-    "mint.posrollover": "posrollover posrolloverdemand posrollovertarget posrollovertargetlast",
-    "mint.postarget": "postarget postargetlast posachieved idlesettlingtime",
-    "mint.veldemand": """
-veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
-""",
+    "mint.posrollover": "posrollover",
+    "mint.postarget": "postarget postargetlast posachieved",
+    "mint.veldemand": "veldemand acceldemand velerror",
     "mint.encoder": "encoder auxencoder",
     "mint.auxencoderzlatch-written": "auxencoderzlatch aez",
     "mint.two-registers": "modbustcp32 modbustcpfloat",
@@ -144,17 +127,8 @@ veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
     "mint.register-server-refuses": "modbustcp16 modbustcp32 modbustcpfloat",
     "mint.servers": "modbustcp16 modbustcp32 modbustcpfloat",
     "mint.how-long-request-takes": "modbustcp16 modbustcp32 modbustcpfloat",
-    "mint.holdingregister": "holdingregister",
-    "mint.coil": "coil",
     "mint.busevent": "busevent buseventinfo",
-    "mint.busstate": "busstate canbusstate",
-    "mint.dead-node-every-node": "nodelive remotepdovalid",
-    "mint.nodescan": "nodescan remotereset busreset canbusreset",
-    "mint.remotecomms": "remotecomms remotecommsinteger",
-    "mint.remoteobject": "remoteobject remoteobjectfloat remoteobjectstring",
-    "mint.remoteestop": "remoteestop remotepdoout",
-    "mint.remoteencoder": "remoteencoder remotepdoin",
-    "mint.remoteinputactivelevel": "remoteinputactivelevel remoteoutputactivelevel",
+    "mint.dead-node-every-node": "nodelive",
     "mint.commands-move-nothing-parametersave": "parametersave plctask",
     "mint.words-move-axis-decide": "autotune controllerreset",
     "mint.feature-codes": "config cf precisionmode backlashmode blm",
@@ -162,9 +136,7 @@ veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
     "mint.movebufferstatus": "movebufferstatus mbs",
     "mint.posdemand": "posdemand",
     "mint.numberof": "numberof no",
-    "mint.mintexecuting": "mintexecuting supportsmint phasesearchstatus",
-    "mint.averagevel": "averagevel",
-    "mint.oktoloadmove": "oktoloadmove",
+    "mint.mintexecuting": "mintexecuting supportsmint",
     "mint.tron": "tron troff nop",
     "mint.needs-go": "cam fly spline spl offset movedwell",
     "mint.trigger-modes": "triggermode",
@@ -177,7 +149,6 @@ veldemand acceldemand speeddemand sdd speedmeasured sms speederror velerror
     "mint.movebuffersize": "movebuffersize mb",
     "mint.movebufferid": "movebufferid mbi",
     "mint.moveout-between-two-paths": "moveout",
-    "mint.feedrateparameter-axis-n": "feedrateparameter",
     "mint.maxspeed": "maxspeed maxaccel maxdecel",
     "mint.acceltimemax": "acceltimemax deceltimemax",
     "mint.acceljerktime": "acceljerktime deceljerktime",
@@ -193,29 +164,6 @@ accel ac decel acceltime deceltime acceljerk deceljerk acceljerktime deceljerkti
     "mint.jog-stop-out-s-ramp": "profilemode sramp",
     "mint.stop-lower-jerk-path": "deceljerk",
     "mint.ramp-after-other-motion": "profilemode sramp",
-    "mint.movecorrection": "movecorrection",
-    "mint.timescale": "timescale",
-    "mint.jogcommand": "jogcommand jgc",
-    "mint.jogmode": "jogmode jogduration",
-    "mint.jogtime": "jogtime",
-    "mint.jogacceltimemax": "jogacceltimemax jogdeceltimemax",
-    "mint.highest-speed": "jogacceltimemax jogdeceltimemax speedrefacceltime speedrefdeceltime",
-    "mint.speedref": "speedref sdr",
-    "mint.speedref-2": """
-speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime speedrefdeceljerkendtime
-""",
-    "mint.speedrefenable": "speedrefenable",
-    "mint.speedrefsource": "speedrefsource torquerefsource",
-    "mint.speedreferrordeceltime": "speedreferrordeceltime",
-    "mint.speedtestref": "speedtestref",
-    "mint.velref": "velref",
-    "mint.posref": "posref",
-    "mint.torqueref": "torqueref tqr torquerefenable",
-    "mint.torquedemand": "torquedemand effort currentmeas cms currentdemand",
-    "mint.presetmovetype-n-0": "presetmovetype",
-    "mint.preset-s-values-preset": "presetaccel presetdecel presetmovespeed",
-    "mint.what-starts-preset": "presettriggerinput presetmoveenable presetindex",
-    "mint.presetindexsource": "presetindexsource presetindexmode",
     "mint.hta": "hta htachannel",
     "mint.htadeadband": "htadeadband hdb",
     "mint.htafilter": "htafilter",
@@ -225,9 +173,6 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
     "mint.circle-sense": "circlea ca circler cr helixa helixr",
     "mint.helix-length": "helixa helixr",
     "mint.contourangle": "contourangle",
-    "mint.vectorangle": "vectorangle veldemandpath",
-    "mint.blenddistance": "blenddistance blend",
-    "mint.contourmode": "contourmode blendmode",
     "mint.contour-several-speeds": "contourmode",
     "mint.s-ramp-such-contour": "contourmode",
     "mint.contour-too-fast-for": "contourmode",
@@ -243,10 +188,10 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
     "mint.end-cam-shear-motion": "cam fly",
     "mint.cam-modes": "cam",
     "mint.cam-points": "cam",
-    "mint.camamplitude": "camamplitude camphasestatus",
+    "mint.veldemandpath": "veldemandpath",
+    "mint.camamplitude": "camamplitude",
     "mint.camstart": "camstart camend camindex splinestart splineend splineindex",
-    "mint.camtable": "camtable camsegment splinesegment",
-    "mint.camphase-axis-segment-segments": "camphase",
+    "mint.camtable": "camtable",
     "mint.offset-on-axis-follows": "offset",
     "mint.second-offset": "offset",
     "mint.offset-report": "offset",
@@ -338,9 +283,6 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
     "motion.position-on-a-path": {"mint": "vectora va vectorr vr circlea ca circler cr helixa helixr"},
     "motion.contourmode": {"mint": "contourmode"},
     "motion.contour-look-ahead": {"mint": "contourmode"},
-    "motion.blendmode": {"mint": "blendmode"},
-    "motion.blend-limit": {"mint": "blendmode blenddistance blend"},
-    "motion.blend-cut-short": {"mint": "blendmode blenddistance blend"},
     "motion.follow": {"mint": "follow fl"},
     "motion.suspend-on-slave": {"mint": "suspend follow fl"},
     "motion.fly": {"mint": "fly"},
@@ -385,32 +327,8 @@ speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime s
 # Setting at power-up: its word, and what is written instead of it where it shapes a move.
 DEFAULTS = {
     "mint": {
-        "mint.presetindexmode-default": ("presetindexmode", ""),
-        "mint.presetindexsource-default": ("presetindexsource", ""),
-        "mint.presetdwelltime-default": ("presetdwelltime", ""),
-        "mint.presetselectorinput-default": ("presetselectorinput", ""),
-        "mint.presetinputsmax-default": ("presetinputsmax", ""),
-        "mint.presettriggerinput-default": ("presettriggerinput", ""),
         "mint.htachannel-default": ("htachannel", ""),
         "mint.htafilter-default": ("htafilter", ""),
-        "mint.torquerefrisetime-default": ("torquerefrisetime", ""),
-        "mint.torquereffalltime-default": ("torquereffalltime", ""),
-        "mint.jogspeed-default": ("jogspeed", ""),
-        "mint.jogmode-default": ("jogmode", ""),
-        "mint.jogduration-default": ("jogduration", ""),
-        "mint.jogacceltimemax-default": ("jogacceltimemax", ""),
-        "mint.jogdeceltimemax-default": ("jogdeceltimemax", ""),
-        "mint.drivespeedmax-default": ("drivespeedmax", ""),
-        "mint.speedrefacceltime-default": ("speedrefacceltime", ""),
-        "mint.speedrefdeceltime-default": ("speedrefdeceltime", ""),
-        "mint.speedrefacceljerkstarttime-default": ("speedrefacceljerkstarttime", ""),
-        "mint.speedrefacceljerkendtime-default": ("speedrefacceljerkendtime", ""),
-        "mint.speedrefdeceljerkstarttime-default": ("speedrefdeceljerkstarttime", ""),
-        "mint.speedrefdeceljerkendtime-default": ("speedrefdeceljerkendtime", ""),
-        "mint.speedreferrordeceltime-default": ("speedreferrordeceltime", ""),
-        "mint.speedtestrefacceltime-default": ("speedtestrefacceltime", ""),
-        "mint.speedtestrefdeceltime-default": ("speedtestrefdeceltime", ""),
-        "mint.speeddemand-default": ("speeddemand", ""),
         "mint.accel-default": ("accel", "accel ac acceltime acceljerk acceltimemax acceljerktime"),
         "mint.decel-default": ("decel", "decel deceltime deceljerk deceltimemax deceljerktime"),
         "mint.acceljerk-default": (
@@ -437,8 +355,6 @@ DEFAULTS = {
         "mint.precisionmode-default": ("precisionmode", ""),
         "mint.contourmode-default": ("contourmode", ""),
         "mint.contourangle-default": ("contourangle", ""),
-        "mint.blendmode-default": ("blendmode", ""),
-        "mint.blenddistance-default": ("blenddistance", ""),
         "mint.follownumerator-default": ("follownumerator", ""),
         "mint.followdenom-default": ("followdenom", ""),
         "mint.mastersource-default": ("mastersource", ""),
@@ -453,9 +369,6 @@ DEFAULTS = {
         "mint.splineend-default": ("splineend", ""),
         "mint.splinetime-default": ("splinetime", ""),
         "mint.splinesuspendtime-default": ("splinesuspendtime", ""),
-        "mint.errormask-default": ("errormask", ""),
-        "mint.motorbrakemode-default": ("motorbrakemode", ""),
-        "mint.motorbrakeoutput-default": ("motorbrakeoutput", ""),
         "mint.driveenableoutput-default": ("driveenableoutput", ""),
         "mint.softlimitforward-default": ("softlimitforward", ""),
         "mint.softlimitreverse-default": ("softlimitreverse", ""),
@@ -483,10 +396,6 @@ DEFAULTS = {
         "mint.fastselect-default": ("fastselect", ""),
         "mint.fastlatchedge-default": ("fastlatchedge", ""),
         "mint.fastlatchmode-default": ("fastlatchmode", ""),
-        "mint.fastlatchdistance-default": ("fastlatchdistance", ""),
-        "mint.comparemode-default": ("comparemode", ""),
-        "mint.compareoutput-default": ("compareoutput", ""),
-        "mint.comparelatch-default": ("comparelatch", ""),
         "mint.idlemode-default": ("idlemode", ""),
         "mint.idlepos-default": ("idlepos", ""),
         "mint.idlevel-default": ("idlevel", ""),
@@ -503,58 +412,36 @@ DEFAULTS = {
     },
 }
 MOTIONS = """
-movecorrection presetindex hta torqueref tqr torquerefenable jog jg jogcommand jgc speedref sdr speedrefenable
-speedtestref velref posref mover mr movea ma incr inca vectora va vectorr vr circlea ca circler cr helixa
-helixr follow fl home hm torque datum freq holdtoanalog
+hta jog jg mover mr movea ma incr inca vectora va vectorr vr circlea ca circler cr helixa helixr follow fl
+home hm torque holdtoanalog
 """
 # The keywords whose meaning no document states.
 REMEMBERED = {
     "mint": """
-MOVECORRECTION TIMESCALE PRESETMOVETYPE PRESETMOVEPOSITION PRESETMOVESPEED PRESETACCEL PRESETDECEL
-PRESETJOGSPEED PRESETJOGDIRECTION PRESETMOVEHOMETYPE PRESETMOVEPARAMETER PRESETINDEX PRESETINDEXMODE
-PRESETINDEXSOURCE PRESETDWELLTIME PRESETSELECTORINPUT PRESETINPUTSMAX PRESETINPUTSTATE PRESETTRIGGERINPUT
-PRESETMOVEENABLE HTACHANNEL HTAFILTER TORQUEREF TORQUEREFENABLE TORQUEREFSOURCE TORQUEREFRISETIME
-TORQUEREFFALLTIME TORQUEDEMAND EFFORT CURRENTMEAS CURRENTDEMAND JOG JOGSPEED JOGCOMMAND JOGMODE JOGDURATION
-JOGTIME JOGACCELTIMEMAX JOGDECELTIMEMAX DRIVESPEEDMAX SPEEDREF SPEEDREFENABLE SPEEDREFSOURCE SPEEDREFACCELTIME
-SPEEDREFDECELTIME SPEEDREFACCELJERKSTARTTIME SPEEDREFACCELJERKENDTIME SPEEDREFDECELJERKSTARTTIME
-SPEEDREFDECELJERKENDTIME SPEEDREFERRORDECELTIME SPEEDTESTREF SPEEDTESTREFACCELTIME SPEEDTESTREFDECELTIME
-VELREF POSREF SPEEDDEMAND SPEEDMEASURED SPEEDERROR VELERROR PROFILEMODE DRIVEENABLE FEEDRATEPARAMETER MAXSPEED
-MAXACCEL MAXDECEL ACCELTIMEMAX DECELTIMEMAX ACCELJERKTIME DECELJERKTIME SRAMP CANCEL CANCELALL _trAUTO _trGO
-_trINPUT _trPOSITION MOVEBUFFERIDLAST TRIGGERMODE TRIGGERINPUT TRIGGERSOURCE TRIGGERCHANNEL TRIGGERVALUE
-MOVEDWELL MOVEOUT MOVEOUTX MOVEPULSEOUTX _blOFF _lsSINGLE_TABLE _lsDUAL_TABLE INCR INCA SUSPEND CONTOURMODE
-CONTOURANGLE BLENDMODE BLENDDISTANCE BLEND VELDEMANDPATH VECTORANGLE _msENCODER _msAUXENCODER FOLLOWNUMERATOR
-FOLLOWDENOM FLY FOLLOWMODE OFFSETDISTANCE AUXENCODERSCALE AUXENCODERPRESCALE AUXENCODERWRAP CAMTABLE CAM
-CAMSTART CAMEND CAMAMPLITUDE CAMINDEX CAMSEGMENT CAMPHASE CAMPHASESTATUS SPLINESTART SPLINEEND SPLINEINDEX
-SPLINESEGMENT VEL POSREMAINING FOLERROR TIME TASKPRIORITY TASKSTATUS TASKRESUME TIMEREVENT EVENTACTIVE
-EVENTPENDING EVENTDISABLE TERMINAL _Term1 _Term2 _Term3 CLS LOCATE LINE BEEP CAMBOX CAMBOXDATA FASTAUXSELECT
-FASTAUXENABLE FASTAUXLATCHEDGE FASTAUXLATCHMODE FASTAUXLATCHDISTANCE FASTAUXLATCH FASTAUXENCODER ENCODERZLATCH
-AUXENCODERZEROENABLE AUXENCODERZEROLATCHMODE AUXENCODERZEROPOSITION ERRORMASK ERRORMASKCODE ASYNCERRORPRESENT
-DRIVEENABLESWITCH ENABLESWITCH DRIVEERROR DRIVEFAULT MISCERROR MISCERRORDISABLE EVENTPEND EVENTUNPEND
-PULSEOUTX RELAY RELAYOUT RELAYOUTX AUXDAC MOTORBRAKE MOTORBRAKESTATUS MOTORBRAKEMODE MOTORBRAKEOUTPUT
-MOTORBRAKEDELAY STEPPER STEPPERVEL STEPPERSCALE STEPPERWRAP INPUTACTIVELEVEL INPUTMODE INPUTPOSTRIGGER
-INPUTNEGTRIGGER IMASK ADCGAIN ADCOFFSET ADCDEADBAND ADCDEADBANDOFFSET ADCMODE DAC _mpENABLE _mpDEBUG
-_mpDROPPED_FRAMES _mpREGISTER_MAPPING _rmCOMMS_ARRAY _rmNET_DATA _busSERIAL1 _busETHERNET DPRFLOAT DPRLONG
-HOLDINGREGISTER COIL _cetOPERATIONAL _cetPASSIVE _cetOFF _cetRECEIVE_OVERRUN _cetDIED _cetEMERGENCY
-_cetTRANSMIT_OVERRUN BUSSTATE CANBUSSTATE BUSRESET CANBUSRESET NODESCAN COMMSREMOTE REMOTEENCODER REMOTEOBJECT
-REMOTEOBJECTFLOAT REMOTEOBJECTSTRING REMOTEESTOP REMOTERESET REMOTEINPUTACTIVELEVEL REMOTEOUTPUTACTIVELEVEL
-REMOTEPDOIN REMOTEPDOOUT REMOTEPDOVALID SERIALCHAR SERIALBUFFERUSAGE SERIALCLEARRECEIVEBUFFER
-SERIALCLEARTRANSMITBUFFER SERIALCLEARERROR _emCRASH_STOP _emCRASH_STOP_DISABLE _emERROR_DECEL
-_emERROR_DECEL_DISABLE _emCALL_EVENT SOFTLIMITFORWARD SOFTLIMITREVERSE SOFTLIMITMODE LIMITMODE FOLERRORMODE
-ERRORINPUTMODE AXISERROR ERRORDECEL ABORTMODE ABORT LIMITFORWARDINPUT LIMITREVERSEINPUT ERRORINPUT STOPINPUT
-SUSPENDINPUT RESETINPUT STOPINPUTMODE STOP RESET RESETALL DEFAULT DEFAULTALL HOMETYPE HOMESPEED HOMEBACKOFF
-HOMECREEPSPEED HOMEACCEL HOMEDECEL HOMEOFFSET HOMEREFPOS HOMESTATUS HOMEPHASE _hmNEGATIVE_SWITCH
-_hmNEGATIVE_SWITCH_INDEX _hmPOSITIVE_SWITCH _hmPOSITIVE_SWITCH_INDEX _hmNEGATIVE_INDEX _hmPOSITIVE_INDEX
-_hmNEGATIVE_LIMIT _hmNEGATIVE_LIMIT_INDEX _hmPOSITIVE_LIMIT _hmPOSITIVE_LIMIT_INDEX LATCHTRIGGERMODE
-LATCHTRIGGERCHANNEL LATCHTRIGGEREDGE LATCHSOURCE LATCHSOURCECHANNEL LATCHMODE LATCHINHIBITTIME
-LATCHINHIBITVALUE LATCHENABLE LATCH LATCHVALUE FASTSELECT FASTENABLE FASTLATCHEDGE FASTLATCHMODE
-FASTLATCHDISTANCE FASTLATCH FASTPOS FASTENCODER COMPAREMODE COMPAREOUTPUT COMPAREPOS COMPAREENABLE
-COMPARELATCH AXISMODE POSDEMAND VELDEMAND ACCELDEMAND POSTARGET POSTARGETLAST POSACHIEVED IDLEMODE IDLEPOS
-IDLEVEL IDLETIME IDLESETTLINGTIME ENCODERCOUNT ENCODERSCALE ENCODERPRESCALE ENCODERWRAP POSWRAP POSROLLOVER
-KINT KACCEL FOLERRORFATAL TORQUE Abs Sgn Int Min Max Sqrt Sqr Exp Log Sin Cos Tan Asin Acos Atan Rnd Len Asc
-Chr Str Val Left Right Mid IIf NVLONG NVFLOAT POSROLLOVERDEMAND POSROLLOVERTARGET POSROLLOVERTARGETLAST DATUM
-FREQ _cfOFF _cfSERVO _cfSTEPPER _cfVIRTUAL NUMBEROF _noAXES _egCONTROLLER MINTEXECUTING SUPPORTSMINT
-PHASESEARCHSTATUS AVERAGEVEL OKTOLOADMOVE ERR ERL ERRAXIS MODE HOLDTOANALOG CONTOURON CONTOUROFF
-SYSTEMDEFAULTS FACTORYDEFAULTS POSSCALEFACTOR VELSCALEFACTOR ACCELSCALEFACTOR _pi _MAXINT _MININT
+HTACHANNEL HTAFILTER JOG POSSCALEFACTOR PROFILEMODE DRIVEENABLE DRIVEENABLESWITCH MAXSPEED MAXACCEL MAXDECEL
+ACCELTIMEMAX DECELTIMEMAX ACCELJERKTIME DECELJERKTIME SRAMP CANCEL CANCELALL _trAUTO _trGO _trINPUT
+_trPOSITION MOVEBUFFERIDLAST TRIGGERMODE TRIGGERINPUT TRIGGERSOURCE TRIGGERCHANNEL TRIGGERVALUE MOVEDWELL
+MOVEOUT MOVEOUTX MOVEPULSEOUTX _blOFF _lsSINGLE_TABLE _lsDUAL_TABLE INCR INCA SUSPEND CONTOURMODE CONTOURANGLE
+VELDEMANDPATH _msENCODER _msAUXENCODER FOLLOWNUMERATOR FOLLOWDENOM FLY FOLLOWMODE OFFSETDISTANCE
+AUXENCODERSCALE AUXENCODERPRESCALE AUXENCODERWRAP CAMTABLE CAM CAMSTART CAMEND CAMAMPLITUDE CAMINDEX
+SPLINESTART SPLINEEND SPLINEINDEX VEL POSREMAINING FOLERROR TIME TASKPRIORITY TASKSTATUS TASKRESUME TIMEREVENT
+EVENTACTIVE EVENTPENDING EVENTDISABLE TERMINAL _Term1 _Term2 _Term3 CLS LOCATE LINE BEEP INPUTACTIVELEVEL
+INPUTMODE INPUTPOSTRIGGER INPUTNEGTRIGGER IMASK PULSEOUTX ADCGAIN ADCOFFSET DAC _mpENABLE _mpDEBUG
+_mpDROPPED_FRAMES _mpREGISTER_MAPPING _rmCOMMS_ARRAY _rmNET_DATA _busSERIAL1 _busETHERNET _cetOPERATIONAL
+_cetPASSIVE _cetOFF _cetRECEIVE_OVERRUN _cetDIED _cetEMERGENCY _cetTRANSMIT_OVERRUN _emCRASH_STOP
+_emCRASH_STOP_DISABLE _emERROR_DECEL _emERROR_DECEL_DISABLE _emCALL_EVENT SOFTLIMITFORWARD SOFTLIMITREVERSE
+SOFTLIMITMODE LIMITMODE FOLERRORMODE ERRORINPUTMODE AXISERROR ERRORDECEL ABORTMODE ABORT LIMITFORWARDINPUT
+LIMITREVERSEINPUT ERRORINPUT STOPINPUT SUSPENDINPUT RESETINPUT STOPINPUTMODE STOP RESET RESETALL DEFAULT
+DEFAULTALL HOMETYPE HOMESPEED HOMEBACKOFF HOMECREEPSPEED HOMEACCEL HOMEDECEL HOMEOFFSET HOMEREFPOS HOMESTATUS
+HOMEPHASE _hmNEGATIVE_SWITCH _hmNEGATIVE_SWITCH_INDEX _hmPOSITIVE_SWITCH _hmPOSITIVE_SWITCH_INDEX
+_hmNEGATIVE_INDEX _hmPOSITIVE_INDEX _hmNEGATIVE_LIMIT _hmNEGATIVE_LIMIT_INDEX _hmPOSITIVE_LIMIT
+_hmPOSITIVE_LIMIT_INDEX LATCHTRIGGERMODE LATCHTRIGGERCHANNEL LATCHTRIGGEREDGE LATCHSOURCE LATCHSOURCECHANNEL
+LATCHMODE LATCHENABLE LATCH LATCHVALUE FASTSELECT FASTENABLE FASTLATCHEDGE FASTLATCHMODE FASTLATCH FASTPOS
+FASTENCODER AXISMODE POSDEMAND VELDEMAND ACCELDEMAND VELERROR POSTARGET POSTARGETLAST POSACHIEVED IDLEMODE
+IDLEPOS IDLEVEL IDLETIME ENCODERSCALE ENCODERPRESCALE ENCODERWRAP POSWRAP POSROLLOVER KINT KACCEL
+FOLERRORFATAL TORQUE Abs Sgn Int Min Max Sqrt Sqr Exp Log Sin Cos Tan Asin Acos Atan Rnd Len Asc Chr Str Val
+Left Right Mid IIf NVLONG NVFLOAT _cfOFF _cfSERVO _cfSTEPPER _cfVIRTUAL NUMBEROF _noAXES _egCONTROLLER
+MINTEXECUTING SUPPORTSMINT ERR ERL ERRAXIS MODE HOLDTOANALOG CONTOURON CONTOUROFF _pi _MAXINT _MININT
 _pmTRAPEZOIDAL _pmSRAMP _egALL _egSYNCHRONOUS _egAXIS _egMISC Input Dim If Then ElseIf Else Select Case For
 Next Step While Repeat Until Loop Exit Goto Gosub Return Sub Function ByVal ByRef Startup Auto End Type As And
 Or Xor Not Mod To Is

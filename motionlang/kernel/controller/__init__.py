@@ -17,7 +17,7 @@ Units, unless a docstring says differently:
 Other units are used for
 
     paths: length, and speed, rates and jerk along it        uu, uu/s, uu/s², uu/s³; positions of axes in counts
-    `Axis.blend_distance`, `Axis.index_every`                uu
+    `Axis.index_every`                                       uu
     simulated motors: output; current; torque                V; A; N m; SI units for the plant, except for counts
     gains                                                    see `kernel/servo/gains.py`
     log: `value` and `limit` of an event                     uu at that time; a `ChangedSetting` in counts and seconds
@@ -53,8 +53,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.motion.follow import Gear as Gear
     from motionlang.kernel.controller.motion.jog import Jog as Jog
     from motionlang.kernel.controller.motion.profile_playback import Playback as Playback
-    from motionlang.kernel.controller.motion.reference import PositionReference as PositionReference
-    from motionlang.kernel.controller.motion.reference import SpeedReference as SpeedReference
     from motionlang.kernel.controller.motion_listener import MotionListener as MotionListener
     from motionlang.kernel.controller.moves.cam import CurveFollow as CurveFollow
     from motionlang.kernel.controller.moves.geometry import StraightLine as StraightLine
@@ -74,7 +72,6 @@ PUBLIC = {
     "queue.stop": "Stopping",
     "motion.jog": "Jog",
     "motion.profile_playback": "Playback",
-    "motion.reference": "PositionReference SpeedReference",
     "moves.cam": "CurveFollow",
     "moves.geometry": "StraightLine",
     "moves.path": "PathMove",

@@ -52,8 +52,6 @@ class Axis:
         "accel_time",
         "arrival",
         "barriers",
-        "blend_distance",
-        "blend_mode",
         "buffer",
         "buffer_low",
         "buffer_size",
@@ -80,7 +78,6 @@ class Axis:
         "index_every",
         "index_origin",
         "is_at_home",
-        "is_braked",
         "last_id",
         "limits",
         "locks",
@@ -91,7 +88,6 @@ class Axis:
         "move_id",
         "offset_status",
         "override",
-        "own_rates",
         "present",
         "profiles",
         "ramp",
@@ -118,7 +114,6 @@ class Axis:
         self.faults = 0
         self.locks = 0  # faults that must be cleared before the axis accepts a motion
         self.enable_input: int | None = None  # the input that must be on before the drive can be enabled
-        self.is_braked = False  # by hand, without informing its drive
         self.is_at_home = False  # its home switch is closed
         self.shape = "trapezoid"
         self.speed = DEFAULTS["speed"]
@@ -140,8 +135,6 @@ class Axis:
         # multiplies speeds.
         self.feedrate_mode = 1
         self.override = 1.0
-        # Speed, acceleration and deceleration of moves loaded from now on; None for those of the axis.
-        self.own_rates: tuple[float | None, float | None, float | None] | None = None
         self.zeroed_at = -1  # where the program last set the speed to 0, a source offset
         self.suspend_reasons = 0  # reasons for its suspension: `BY_WORD`, `BY_INPUT` or both
         self.suspended_with: tuple[Axis, ...] = ()  # the axes suspended together with it by one keyword
@@ -151,9 +144,6 @@ class Axis:
         # True if paths are run without slowing down at corners up to an angle, degrees.
         self.contour_mode = False
         self.contour_angle = 0.0
-        # True if a path begins while the one before it still has a distance to go, user units.
-        self.blend_mode = False
-        self.blend_distance = 0.0
         self.buffer_size = int(DEFAULTS["buffer_size"])
         self.buffer_low = -1  # free entries above which the listeners are notified; -1: never
         self.buffer: list[LoggedMove] = []
@@ -191,7 +181,7 @@ class Axis:
 
     @property
     def entries(self) -> tuple[LoggedMove, ...]:
-        """The log entries that may still change, oldest first; several during a blend."""
+        """The log entries that may still change, oldest first."""
         move = self.move
         if move is None or move.action is None:
             return () if move is None else (move,)
@@ -201,10 +191,6 @@ class Axis:
     def is_moving(self) -> bool:
         """True if a move is in progress."""
         return self.move is not None
-
-    def put_on(self, start: float, profile: Profile) -> None:
-        """Make `profile`, begun at `start`, the only one of the track."""
-        self.starts[:], self.profiles[:], self.present = [start], [profile], profile
 
     def extent(self) -> tuple[int, float, Profile]:
         """Return what `cut` needs to drop all profiles that are added from now on."""

@@ -123,14 +123,6 @@ def clamped(a: Axis, line: int, speed: float, limit: float) -> None:
         _once(a, "clamp", "speed", line, _speed(a, speed), _speed(a, limit))
 
 
-def clamped_blend(a: Axis, line: int, commanded: float, got: float) -> None:
-    """Log, once, a path of master `a` blended over `got` instead of `commanded`.
-
-    Both are user units.
-    """
-    _once(a, "clamp", "blend distance", line, commanded, got)
-
-
 def too_late(a: Axis, move: LoggedMove, k: int, written: Rates, in_force: Rates) -> None:
     """Log, once, the rate, number `k` of the two, with which the axis would pass its target."""
     what = ("acceleration", "deceleration")[k]

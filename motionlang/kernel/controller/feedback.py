@@ -212,17 +212,6 @@ class Feedback:
             return max(found / self._rate, self._clock.now) if found > samples.first + k else self._clock.now
         return self._horizon(samples)
 
-    def settled_since(self, name: str = "program") -> float:
-        """Return since when the motor has been within a window; inf if it is outside."""
-        if self._servo is None:
-            return 0.0
-        k, samples = self._ahead()
-        window = self.windows[name]
-        outside = np.flatnonzero(~window.inside(samples, self._target)[: k + 1])
-        if not len(outside):
-            return (window.since if window.since < INFINITY else samples.first) / self._rate
-        return INFINITY if outside[-1] == k else (samples.first + int(outside[-1]) + 1) / self._rate
-
     @property
     def at_standstill(self) -> bool:
         """True if the motor is at rest and stays there unless something affects it."""

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.axis import Axis
-    from motionlang.kernel.controller.moves.path import PathMove
 
 
 class MotionListener:
@@ -17,9 +16,6 @@ class MotionListener:
 
     def add(self, a: Axis) -> None:
         """An axis is about to get another profile; its move and settings are those of the profile."""
-
-    def displace(self, action: PathMove) -> None:
-        """A path has been displaced, because the path with which it is blended was cut short."""
 
     def heed(self, a: Axis) -> None:
         """A setting of a moving axis was written, or the axis was stopped or suspended."""

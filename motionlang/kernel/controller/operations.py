@@ -17,7 +17,7 @@ from motionlang.kernel.controller import watch as watches
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock
 from motionlang.kernel.controller.motion import encoder as encoders
-from motionlang.kernel.controller.motion import follow, profile_playback, reference, sampled_velocity
+from motionlang.kernel.controller.motion import follow, profile_playback, sampled_velocity
 from motionlang.kernel.controller.motion import jog as jogging
 from motionlang.kernel.controller.moves import cam, entries, path
 from motionlang.kernel.controller.queue import buffer, life
@@ -113,27 +113,12 @@ class Controller(Readings):
         """Set the range in which the language counts positions, user units; 0 for none."""
         self.axes[axis].scale.wrap = wrap
 
-    def set_units(self, axis: int, speed: float | None, acceleration: float | None) -> None:
-        """Set the units of speed and of acceleration, each as a number of counts.
-
-        None selects the unit of positions.
-        """
-        self.axes[axis].scale.set_units(speed, acceleration)
-
-    def set_time_unit(self, axis: int, seconds: float) -> None:
-        """Set the unit of time, as a number of seconds."""
-        self.axes[axis].scale.set_rate(seconds)
-
     define_position = on_axis(tracks.define_position)
 
     # ---------------------------------------------------------------------------------------- on and off
 
     enable = on_axis(power.enable)
     disable = on_axis(power.disable)
-
-    def set_brake(self, axis: int, on: bool) -> None:
-        """Apply or release the brake of an axis without informing its drive."""
-        self.axes[axis].is_braked = on
 
     fault = on_axis(power.fault)
     clear_faults = on_axis(power.clear_faults)
@@ -272,14 +257,6 @@ class Controller(Readings):
         if run is not None:
             run.replan()
 
-    def blend(self, axis: int) -> None:
-        """Begin the next path of the axis now, superposed on the rest of the present one."""
-        run = path.run_of(self.axes[axis])
-        if run is not None:
-            run.blend()
-
-    refer_speed = on_movable(reference.refer_speed)
-    refer_position = on_movable(reference.refer_position)
     track = on_movable(sampled_velocity.track)
 
     def gear(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import atan2, degrees
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
@@ -65,16 +64,6 @@ class Readings(ControllerState):
         feedback = self.axes[axis].feedback
         return 0.0 if feedback is None else feedback.error
 
-    def servo_output(self, axis: int) -> float:
-        """Return the output to a simulated motor, volts; 0 without one."""
-        feedback = self.axes[axis].feedback
-        return 0.0 if feedback is None else feedback.output
-
-    def motor_current(self, axis: int) -> float:
-        """Return the current of a simulated motor, A; 0 without one."""
-        feedback = self.axes[axis].feedback
-        return 0.0 if feedback is None else feedback.current
-
     def settled_time(self, axis: int) -> float:
         """Return when an axis has settled by `settle_within`, or when to check again.
 
@@ -82,14 +71,6 @@ class Readings(ControllerState):
         """
         feedback = self.axes[axis].feedback
         return self.clock.now if feedback is None else feedback.settled_time("program")
-
-    def settled_since(self, axis: int) -> float:
-        """Return since when an axis has been within the window of `settle_within`.
-
-        It is infinite while the axis is outside.
-        """
-        feedback = self.axes[axis].feedback
-        return 0.0 if feedback is None else feedback.settled_since()
 
     def has_motor(self, axis: int) -> bool:
         """True if the axis has a simulated motor."""
@@ -117,15 +98,6 @@ class Readings(ControllerState):
     def move_id(self, axis: int) -> int:
         """Return the identifier of the move in progress, or of the last one."""
         return self.axes[axis].last_id
-
-    def vector_angle(self, x: int, y: int) -> float:
-        """Return the direction of motion of two axes in their plane, degrees; 0 at rest.
-
-        The direction is that of the velocities in user units.
-        """
-        now = self.clock.now
-        across = [a.velocity(now) / a.scale.counts for a in (self.axes[x], self.axes[y])]
-        return degrees(atan2(across[1], across[0])) if any(across) else 0.0
 
     def is_enabled(self, axis: int) -> bool:
         return self.axes[axis].enabled
@@ -270,7 +242,7 @@ class Readings(ControllerState):
     def path_speed(self, axis: int) -> float:
         """Return the speed along the present path of the axis, user units/s."""
         run = run_of(self.axes[axis])
-        return run.present.speed if run is not None else 0.0
+        return run.course.speed if run is not None else 0.0
 
     def master_of(self, axis: int) -> int | None:
         """Return the axis or encoder channel that an axis follows, or None."""

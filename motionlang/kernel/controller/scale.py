@@ -16,11 +16,10 @@ class Scale:
     """`counts` per user unit, seconds per user time unit (`rate`), the `zero`, and the `wrap`.
 
     A position that is shown starts again from 0 at `wrap` user units; 0 means that it does not. MCCL has the first
-    three (US, UR, UO). Mint has the first and the last (POSWRAP). On newer drives it also has a unit of speed, `speed`,
-    and a unit of acceleration and jerk, `acceleration`; None means `counts`.
+    three (US, UR, UO). Mint has the first and the last (POSWRAP).
     """
 
-    __slots__ = ("acceleration", "counts", "factors", "rate", "speed", "wrap", "zero")
+    __slots__ = ("counts", "factors", "rate", "wrap", "zero")
 
     def __init__(self, counts: float = 1.0, rate: float = 1.0, zero: float = 0.0) -> None:
         # By the power of the length: the factor and the divisor of a value in counts and seconds.
@@ -33,21 +32,7 @@ class Scale:
         if self.wrap:
             self.wrap *= abs(self.counts / counts)
         self.counts, self.rate, self.zero = counts, rate, zero
-        self.set_units(None, None)
-
-    def set_rate(self, rate: float) -> None:
-        """Set another unit of time."""
-        self.rate = rate
-        self.set_units(self.speed, self.acceleration)
-
-    def set_units(self, speed: float | None, acceleration: float | None) -> None:
-        """Set the units of speed and of acceleration and jerk, each as a number of counts.
-
-        None selects the unit of positions.
-        """
-        self.speed, self.acceleration = speed, acceleration
-        per_unit = [self.counts if own is None else own for own in (None, speed, acceleration, acceleration)]
-        self.factors[:] = [(self.rate**power, each) for power, each in enumerate(per_unit)]
+        self.factors[:] = [(rate**power, counts) for power in range(len(POWERS))]
 
     def to_counts(self, value_uu: float, unit: str = "uu") -> float:
         """Convert a value to counts and seconds; `zero` affects positions, not lengths."""

@@ -28,7 +28,6 @@ SETTINGS = frozenset(
         "accel_jerk_time",
         "decel_jerk_time",
         "s_ramp",
-        "own_rates",
         "error_decel",
         "ramp",
         "shape",
@@ -44,8 +43,6 @@ SETTINGS = frozenset(
         "max_decel",
         "contour_mode",
         "contour_angle",
-        "blend_mode",
-        "blend_distance",
     }
 )
 # Those that may act on a move in progress.

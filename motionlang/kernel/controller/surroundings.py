@@ -49,8 +49,7 @@ class Surroundings:
 
     `driven` are the digital inputs with an external source: a wait for any other input can never end. `actions`
     overrides `FAULTS` by (axis, bit), as requested by the program. `lines` are the faults that occur when the
-    program first reaches a line. `drive_errors` are the error bits of the drives by axis, `misc` the error bits of
-    the controller itself.
+    program first reaches a line. `failed` is true from the first error of the controller itself on.
     """
 
     def __init__(self, controller: Controller, settings: Settings) -> None:
@@ -63,8 +62,7 @@ class Surroundings:
         self.driven: set[int] = set()
         self.actions: dict[tuple[int, int], str] = {}
         self.lines: dict[int, list[Callable[[], None]]] = {}
-        self.drive_errors: dict[int, int] = {}
-        self.misc = 0
+        self.failed = False
         for axis in controller.axes:
             self._wire_axis(axis)
         self.wire_inputs(settings)
@@ -74,7 +72,7 @@ class Surroundings:
             self._wire_encoder(entry)
         for axis in controller.axes:
             self._wire_interlock(axis)
-        controller.listeners.append(self._on_change, "cleared", "switched", "scale")
+        controller.listeners.append(self._on_change, "scale")
 
     def wire_inputs(self, settings: Settings) -> None:
         """Wire the `[[input]]` and `[[analogue]]` entries of some settings.
@@ -221,20 +219,16 @@ class Surroundings:
     def _wire_fault(self, entry: Entry) -> None:
         axis = int(_number(entry, "axis", 0))
         kind = str(entry["kind"])
-        value = int(_number(entry, "value", 1))
         bit, action = FAULTS.get(kind, (0, ""))
 
         def happen(active: bool = True) -> None:
             if not active:
                 return
             if kind == CONTROLLER:
-                new = value & ~self.misc  # a pending error is not new
-                self.misc |= value
-                if new:
-                    self._controller.notify("misc", new)
+                if not self.failed:  # a pending error is not new
+                    self.failed = True
+                    self._controller.notify("misc", 1)
                 return
-            if bit == DRIVE:
-                self.drive_errors[axis] = self.drive_errors.get(axis, 0) | value
             self._controller.fault(axis, bit, self.actions.get((axis, bit), action))
 
         if "line" in entry:
@@ -271,15 +265,7 @@ class Surroundings:
         return self._controller.axes[axis].scale.counts
 
     def _on_change(self, what: str, axis: int) -> None:
-        """Follow changes of an axis.
-
-        A new scale moves every switch of the axis to its new count. Once the fault of a drive is cleared, the drive has
-        no error.
-        """
-        if what in ("cleared", "switched") and not self._controller.faults(axis) & DRIVE:
-            self.drive_errors.pop(axis, None)
-        if what != "scale":
-            return
+        """Move every switch of an axis to its new count after a change of the scale."""
         scale = self._scale(axis)
         self._controller.axes[axis].index_origin = -self._start(axis) * scale
         for region, low, high in self._regions:

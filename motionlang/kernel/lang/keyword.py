@@ -17,22 +17,19 @@ from typing import Any
 BANK = 32
 # The devices of a machine that a keyword numbers, in the order of a map of a program.
 CHANNELS = (
-    "input", "input bank", "output", "output bank", "relay", "relay bank", "digital", "analogue input",
-    "analogue output", "auxiliary analogue output", "encoder", "comms element", "network data", "dual-port RAM",
-    "Modbus coil", "Modbus register", "remote node", "serial port", "nv word", "key", "answer",
+    "input", "input bank", "output", "output bank", "digital", "analogue input",
+    "analogue output", "encoder", "comms element", "network data",
+    "Modbus register", "remote node", "nv word", "key", "answer",
 )  # fmt: skip
 # The devices in which a host and a program leave numbers for each other.
-HOST_CHANNELS = frozenset(
-    ("comms element", "network data", "dual-port RAM", "Modbus coil", "Modbus register")
-)
+HOST_CHANNELS = frozenset(("comms element", "network data", "Modbus register"))
 # The device, by the section of the machine file that drives a reading, or else by the last word of `index`.
-_DRIVEN = {"analogue": "analogue input", "encoder": "encoder", "netdata": "network data", "dpr": "dual-port RAM",
-           "serial": "serial port", "key": "key"}  # fmt: skip
-_INDEXED = {"input": "input", "output": "output", "relay": "relay", "coil": "Modbus coil",
+_DRIVEN = {"analogue": "analogue input", "encoder": "encoder", "netdata": "network data", "key": "key"}
+_INDEXED = {"input": "input", "output": "output",
             "register": "Modbus register", "element": "comms element", "auxchannel": "encoder"}  # fmt: skip
 # The kind of a reading, by the section of the machine file that drives it, or else by `index`.
 _READS_BY_DRIVEN = {"input": "input", "analogue": "analogue", "encoder": "encoder", "key": "operator",
-                    "answer": "operator", "comms": "host", "netdata": "host", "dpr": "host", "serial": "host",
+                    "answer": "operator", "comms": "host", "netdata": "host",
                     "remote": "host"}  # fmt: skip
 _READS_BY_INDEX = {"axis": "axis", "axes": "axis", "task": "task", "latch": "latch"}
 # What a statement does to an axis, in the order of a map of a program.

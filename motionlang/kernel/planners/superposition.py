@@ -1,6 +1,6 @@
 """Superposition of two motions of one axis.
 
-Examples are an offset on top of gearing, and a blend of one move into the next.
+An example is an offset on top of gearing.
 """
 
 from __future__ import annotations

@@ -77,10 +77,6 @@ def test_an_endless_wait_stays_an_error(cell: Cell) -> None:
     assert "\n[[expect]]" not in (cell.folder / "old.machine.toml").read_text()
 
 
-def test_the_cycle_needs_no_relay(cell: Cell) -> None:
-    assert inputs(cell, "RELAY.0 = 1\nPAUSE INX.2\n") == [{"channel": 2, "at": 0.0}]
-
-
 def test_an_input_that_only_a_handler_tests_is_on(cell: Cell) -> None:
     text = "PAUSE INX(2)\nPAUSE INX(1)\nEND\nEvent IN3\nIF INX(2) = 0 THEN PRINT 7\nEnd Event\n"
     assert inputs(cell, text, "old.mnt") == [{"channel": 1, "at": 0.0}, {"channel": 2, "at": 0.0}]

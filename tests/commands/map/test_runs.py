@@ -9,7 +9,6 @@ import pytest
 
 from motionlang.commands.map.program_map import ProgramMap, program_map
 from motionlang.kernel import Machine, ProgramError, Run, Source, dialect_for, run, settings_next_to
-from motionlang.kernel.mint.keywords.relays import FIRST
 from tests.cases import examples
 from tests.generated import handlers, polls, tasks
 from tests.generated.motion import generate
@@ -80,11 +79,8 @@ def _missing_channels(made: ProgramMap, result: Run, digital: set[int], analogue
     listed = {(each.kind, each.number) for each in made.channels}
     kinds = {kind for kind, number in listed if "bank" in kind or number == "?"}
     log = result.machine.log
-    touched = {_numbered("output", "relay", each.channel) for each in log.outputs}
-    touched |= {
-        _numbered("analogue output", "auxiliary analogue output", each.channel)
-        for each in log.analogue_outputs
-    }
+    touched = {("output", each.channel) for each in log.outputs}
+    touched |= {("analogue output", each.channel) for each in log.analogue_outputs}
     touched |= {("input", channel) for channel in digital} | {
         ("analogue input", channel) for channel in analogue
     }
@@ -94,11 +90,6 @@ def _missing_channels(made: ProgramMap, result: Run, digital: set[int], analogue
             kind in kinds or f"{kind} bank" in kinds
         ):
             yield f"{kind} {channel} is not listed"
-
-
-def _numbered(kind: str, other: str, channel: int) -> tuple[str, int]:
-    """Return kind and number of a channel of the log, which numbers relays and auxiliary outputs from 1000 on."""
-    return (other, channel - FIRST) if channel >= FIRST else (kind, channel)
 
 
 def drawn(seed: int) -> tuple[Source, Mapping[str, object], float]:

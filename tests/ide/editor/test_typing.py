@@ -55,7 +55,6 @@ WHOLE = (
             ("span", "constant", "Const span = 3", "span", "", 0),
             ("Spin", "sub", "Sub Spin(turns As Float, n As Float)", "Spin", "Spin(${1:turns}, ${2:n})", 0),
             ("spare", "task", "Task spare", "spare", "", 0),
-            ("SPEEDREF", "setting", "setting, uu/s", "speedref", "speedref(${1:0}) = $0", 2),
         ),
     ),
     ("mint", TYPES + "j.s|\n", 1, (("size", "member", "Job.size As Float", "size", "", 0),)),
@@ -85,7 +84,6 @@ WHOLE = (
             ),
         ),
     ),
-    ("mint", "x = PO|\n", 2, (("POSREF", "setting", "setting, uu", "POSREF", "POSREF(${1:0})", 2),)),
     ("mint", "Dim i As in|\n", 2, (("Integer", "type", "", "Integer", "", 1),)),
     (
         "mccl",

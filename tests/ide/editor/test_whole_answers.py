@@ -46,7 +46,8 @@ PAGES = (
     (
         "mint", "MOVERTES|T(0, 1) = 3\n",
         "**MOVERTEST** · setting\n\n"
-        "*not simulated*: the keyword is recognised, and a program that uses it gets a message.\n\n"
+        "*known, not simulated*: a run ends where the program uses it, unless it writes 0. "
+        "Reason: the sources have only its name.\n\n"
         "listed by the type library without a meaning\n\n"
         "- use: read and write\n- for: axis, param (code, Mint ActiveX type library, build 5626)\n"
         "- unit: number (code, Mint ActiveX type library, build 5626)\n"

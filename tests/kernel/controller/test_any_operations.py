@@ -60,13 +60,13 @@ def steps_of(r: Random, most: int) -> list[Step]:
         ),
         lambda: ("load_dwell", axis(), r.randrange(50) / 64.0),
         lambda: ("load_fly", axis(), axis(), distance(), r.uniform(1.0, 9.0)),
-        lambda: (r.choice(["stop", "suspend", "resume", "blend", "abort", "disable", "enable"]), axis()),
+        lambda: (r.choice(["stop", "suspend", "resume", "abort", "disable", "enable"]), axis()),
         lambda: ("gear", axis(), axis(), r.uniform(-2.0, 2.0), r.random() < 0.5),
         lambda: ("cam", axis(), axis(), r.random() < 0.5),
         lambda: ("configure", axis(), r.choice(["speed", "accel", "decel"]), r.uniform(1.0, 200.0)),
         lambda: ("configure", axis(), "override", r.choice([0.0, 0.5, 1.0, 2.0])),
         lambda: ("configure", axis(), "feedrate_mode", r.randrange(4)),
-        lambda: ("configure", axis(), r.choice(["contour_mode", "blend_mode"]), r.random() < 0.5),
+        lambda: ("configure", axis(), "contour_mode", r.random() < 0.5),
     ]
     return [r.choice(makers)() for _ in range(r.randrange(2, most))]
 
@@ -109,7 +109,7 @@ def jumps(c: Controller, axis: int) -> float:
 @given(SEEDS)
 def test_positions_never_jump(seed: int) -> None:
     r = Random(seed)
-    c = machine(3, buffer_size=6, shape=r.choice(SHAPES), contour_angle=60.0, blend_distance=0.7)
+    c = machine(3, buffer_size=6, shape=r.choice(SHAPES), contour_angle=60.0)
     for step in steps_of(r, 40):
         try:
             perform(c, step)
@@ -131,7 +131,7 @@ def test_positions_never_jump(seed: int) -> None:
 @given(SEEDS)
 def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
     r = Random(seed)
-    c = machine(3, buffer_size=6, shape=r.choice(SHAPES), contour_angle=60.0, blend_distance=0.7)
+    c = machine(3, buffer_size=6, shape=r.choice(SHAPES), contour_angle=60.0)
     for step in steps_of(r, 20):
         try:
             perform(c, step)

@@ -155,8 +155,8 @@ def test_a_percentage_of_a_ramp_is_one_of_the_speed_that_a_move_has(
 def test_a_stop_of_a_move_has_the_jerk_of_its_own_speed_and_rate() -> None:
     """From 2 at 50 a ramp of 100 % takes 0.08 s, over 2 * 0.08 / 2 = 0.08."""
     c = machine(shape="scurve", s_ramp=1.0, speed=2.0, feedrate_mode=1)
-    c.configure(0, "own_rates", (None, None, 50.0))
     c.load_by(0, 5.0)
+    c.axes[0].buffer[-1].rates = None, 50.0
     c.configure(0, "speed", 40.0)
     c.go([0])
     until(c, 1.0).stop(0)
@@ -182,39 +182,6 @@ def test_bit_1_of_the_feed_rate_mode_alone_lets_the_override_act() -> None:
     assert until(c, 2.0).velocity(0) == 10.0
     c.configure(0, "feedrate_mode", 2)
     assert until(c, 3.0).velocity(0) == pytest.approx(5.0)
-
-
-def test_position_references_form_one_entry_of_the_log() -> None:
-    """Each takes 1 ms, at 500 or -1500 counts/s.
-
-    An entry ends with a stop or another command.
-    """
-    c = machine(decel=1e6)
-    c.refer_position(0, 0.0, "POSREF", 3)
-    assert len(c.log.moves) == 0
-    c.refer_position(0, 0.5, "POSREF", 3)
-    assert until(c, 0.0005).velocity(0) == pytest.approx(500.0)
-    assert (c.position(0), c.target(0), c.idle_time(0)) == pytest.approx((0.25, 0.5, 0.001))
-    c.refer_position(0, 0.5, "POSREF", 3)
-    assert c.axes[0].starts[-1] == 0.0
-    until(c, 0.01).refer_position(0, -1.0, "POSREF", 4)
-    assert until(c, 0.0105).velocity(0) == pytest.approx(-1500.0)
-    c.refer_position(0, 1.0, "POSREF", 4)
-    assert until(c, 0.011).velocity(0) == pytest.approx((1.0 + 0.25) / 0.001)
-    until(c, 0.02).refer_position(0, 3.0, "other", 5)
-    until(c, 0.0205).stop(0)
-    until(c, 1.0).refer_position(0, 30.0, "other", 6)
-    until(c, 2.0)
-    assert [(move.command, move.line, move.start_time, move.ended) for move in c.log.moves] == [
-        ("POSREF", 3, 0.0, ""), ("other", 5, 0.02, "stop"), ("other", 6, 1.0, ""),
-    ]  # fmt: skip
-    first, last = c.log.moves[0].profile, c.log.moves[-1].profile
-    assert first is not None
-    assert last is not None
-    assert (first.duration, first.end, last.duration, last.end) == pytest.approx((0.0115, 1.0, 0.001, 30.0))
-    for position in (float("inf"), float("nan")):
-        with pytest.raises(Rejected, match=f"axis 0 cannot go to {position:g}"):
-            c.refer_position(0, position)
 
 
 def test_a_velocity_that_is_decided_at_each_tick() -> None:

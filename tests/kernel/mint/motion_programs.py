@@ -9,28 +9,23 @@ _POSITIVE = ("1", "5", "30", "100", "0.5", "1000")
 _TEXT = """
 MOVER({a}) = {v}|MOVEA({a}) = {v}|VECTORR({a}, {b}) = {v}, {w}|VECTORA({a}, {b}) = {v}, {w}
 CIRCLER({a}, {b}) = {v}, {p}, {g}|HELIXR(0, 1, 2) = {v}, {p}, {g}, {w}|GO({a})|GO(0, 1, 2)|STOP({a})|CANCEL({a})
-SUSPEND({a}) = {i}|INCR({a}) = {v}|INCA({a}) = {v}|JOG({a}) = {v}|FREQ({a}) = {v}
+SUSPEND({a}) = {i}|INCR({a}) = {v}|INCA({a}) = {v}|JOG({a}) = {v}
 SPEED({a}) = {p}|ACCEL({a}) = {p}|DECEL({a}) = {p}|PROFILEMODE({a}) = {i}|ACCELJERKTIME({a}) = {m}|SRAMP({a}) = {m}
-FEEDRATEMODE({a}) = {q}|FEEDRATEOVERRIDE({a}) = {m}|FEEDRATEPARAMETER({a}, {t}) = {p}|MAXSPEED({a}) = {p}
-MAXACCEL({a}) = {p}|ACCELTIMEMAX({a}) = {p}|CONTOURMODE({a}) = {i}|CONTOURANGLE({a}) = {m}|BLENDMODE({a}) = {i}
-BLENDDISTANCE({a}) = {p}|BLEND({a})|MASTERCHANNEL({a}) = {b}|MASTERSOURCE({a}) = {t}|FOLLOW({a}) = {v}
+FEEDRATEMODE({a}) = {q}|FEEDRATEOVERRIDE({a}) = {m}|MAXSPEED({a}) = {p}
+MAXACCEL({a}) = {p}|ACCELTIMEMAX({a}) = {p}|CONTOURMODE({a}) = {i}|CONTOURANGLE({a}) = {m}
+MASTERCHANNEL({a}) = {b}|MASTERSOURCE({a}) = {t}|FOLLOW({a}) = {v}
 FOLLOWMODE({a}) = {i}|FOLLOWDENOM({a}) = {p}|MASTERDISTANCE({a}) = {v}|FLY({a}) = {v}|OFFSET({a}) = {v}
 OFFSETMODE({a}) = {q}|OFFSETDISTANCE({a}) = {v}|AUXENCODERMODE({b}) = 8 : AUXENCODERSPEED({b}) = {v}
 CAMTABLE({a}, c, NULL)|CAMTABLE({a}, c, d)
-CAM({a}) = {e}|CAMSTART({a}) = 2|CAMEND({a}) = {t}|CAMAMPLITUDE({a}) = {v}|CAMPHASE({a}, 1, 2, {v})
-CAMSEGMENT({a}, {i}, {t}, s)|SPLINETABLE({a}, c)|SPLINETABLE({a}, c, d, d)|SPLINE({a}) = {e}|SPLINE({a}) = 8 + {e}
+CAM({a}) = {e}|CAMSTART({a}) = 2|CAMEND({a}) = {t}|CAMAMPLITUDE({a}) = {v}
+SPLINETABLE({a}, c)|SPLINETABLE({a}, c, d, d)|SPLINE({a}) = {e}|SPLINE({a}) = 8 + {e}
 SPLINETIME({a}) = 4|SPLINESUSPENDTIME({a}) = {m}|TRIGGERMODE({a}) = {q}|TRIGGERCHANNEL({a}) = {b}
 TRIGGERVALUE({a}) = {v}|MOVEDWELL({a}) = {m}|MOVEOUTX({a}, 3) = 1|MOVEPULSEOUTX({a}, 3) = 20|POS({a}) = {v}
 POSWRAP({a}) = 360|SCALEFACTOR({a}) = {p}|RESET({a})|DEFAULT({a})|MOVEBUFFERLOW({a}) = 1|WAIT = {m}|WAIT = 20|WAIT = 300
-JOGSPEED({a}) = {p}|JOGCOMMAND({a}) = {j}|JOGMODE({a}) = {i}|JOGDURATION({a}) = {m}|JOGACCELTIMEMAX({a}) = {m}
-DRIVESPEEDMAX({a}) = {p}|SPEEDREF({a}) = {v}|SPEEDREFACCELTIME({a}) = {m}|SPEEDREFDECELJERKENDTIME({a}) = {m}
-SPEEDREFENABLE({a}) = {i}|SPEEDTESTREF({a}) = {v}|VELREF({a}) = {v}|POSREF({a}) = {v}|MOVECORRECTION({a}) = {v}
-HTA({a}) = {h}|HTAKPROP({a}) = {v}|HTAKINT({a}) = {v}|HTADEADBAND({a}) = {m}|HTAFILTER({a}) = 0.5|TIMESCALE({a}) = {p}
-PRESETMOVETYPE({b}, 0) = {k}|PRESETMOVEPOSITION({b}) = {v}|PRESETMOVESPEED({b}) = {v}|PRESETACCEL({b}, {i}) = {p}
-PRESETINDEX({a}) = {b}|PRESETINDEXMODE({a}) = {t}|PRESETMOVEENABLE({a}) = {i}|PRESETDWELLTIME({a}) = {m}
-PRINT JOGTIME({a}), JOGCOMMAND({a}), SPEEDREF({a}), POSREF({a}), SPEEDERROR({a}), HTA({a}), PRESETINDEX({a}), JOG({a})
+HTA({a}) = {h}|HTAKPROP({a}) = {v}|HTAKINT({a}) = {v}|HTADEADBAND({a}) = {m}|HTAFILTER({a}) = 0.5
+PRINT VELERROR({a}), HTA({a}), JOG({a})
 PRINT POS({a}), VEL({a}), OFFSET({a}), CAMINDEX({a}), SPLINEINDEX({a}), VELDEMANDPATH({a}), AXISMODE({a})
-PRINT ACCELDEMAND({a}), OFFSETSTATUS({a}), VECTORANGLE({a}, {b}), ACCELTIMEMAX({a}), ACCELJERKTIME({a}), FOLLOW({a})
+PRINT ACCELDEMAND({a}), OFFSETSTATUS({a}), ACCELTIMEMAX({a}), ACCELJERKTIME({a}), FOLLOW({a})
 """
 _STATEMENTS = _TEXT.strip().replace("\n", "|").split("|")
 _LOADS = ("MOVER", "MOVEA", "VECTORR", "VECTORA", "CIRCLER", "HELIXR", "FLY", "CAM", "SPLINE", "OFFSET")

@@ -20,11 +20,9 @@ from motionlang.kernel.planners import (
     jerk_in,
     plan,
     plan_trapezoid,
-    plan_velocity,
     still_points,
     velocity_in,
 )
-from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.leadscrew import Leadscrew
 from motionlang.kernel.planners.pieces import position_in, recentred, transformed
 from motionlang.kernel.planners.sequence import ProfileSequence, chained
@@ -116,16 +114,6 @@ def test_a_piece_is_scaled_about_a_position() -> None:
 MOVE = plan_trapezoid(0.0, 100.0, 100.0, 1000.0, 1000.0)
 # 20 at 50 per second and 500 per second²: 0.1 s, 0.3 s and 0.1 s.
 SHORT = plan_trapezoid(10.0, 30.0, 50.0, 500.0, 500.0)
-
-
-def test_a_lead_adds_its_share_of_each_derivative() -> None:
-    """At 0.05 s it is at 1.25 and 50 per second; 10 ms later on the tangent is 1.75."""
-    ahead = Extrapolated(MOVE, 0.01)
-    state = ahead.at(0.05)
-    assert (state.position, state.velocity, state.acceleration) == pytest.approx((1.75, 60.0, 1000.0))
-    assert (ahead.start, ahead.end, ahead.duration) == pytest.approx((0.0, 100.0, 1.1))
-    endless = Extrapolated(plan_velocity("trapezoid", 3.0, 50.0, 50.0, 10.0, 10.0), 0.2)
-    assert (endless.start, endless.end, endless.end_velocity) == (13.0, inf, 50.0)
 
 
 def test_a_sequence_runs_one_profile_after_the_other() -> None:
@@ -409,15 +397,16 @@ def test_the_state_before_in_and_behind_a_move(time: float, state: tuple[float, 
 
 
 def test_a_sum_of_formulas_adds_their_states() -> None:
-    """A wave and a lead have no common pieces; each derivative is the sum of both."""
-    wave, ahead = plan("sinusoidal", 0.0, 100.0, 100.0, 1000.0, 1000.0), Extrapolated(MOVE, 0.01)
-    both = added(wave, ahead, "sum")
+    """Two waves have no common pieces; each derivative is the sum of both."""
+    wave = plan("sinusoidal", 0.0, 100.0, 100.0, 1000.0, 1000.0)
+    other_wave = plan("sinusoidal", 0.0, 30.0, 50.0, 400.0, 400.0)
+    both = added(wave, other_wave, "sum")
     for time in (0.01, 0.05, 0.5, 1.0):
-        one, other, found = wave.at(time), ahead.at(time), both.at(time)
+        one, other, found = wave.at(time), other_wave.at(time), both.at(time)
         for name in ("position", "velocity", "acceleration", "jerk"):
             assert getattr(found, name) == pytest.approx(getattr(one, name) + getattr(other, name))
     assert both.at(0.01).jerk > 0.0
-    other_order = added(ahead, wave, "sum")
+    other_order = added(other_wave, wave, "sum")
     assert other_order.at(0.01).jerk == pytest.approx(both.at(0.01).jerk)
 
 

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from motionlang.kernel.planners import Profile, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
-from motionlang.kernel.planners.reference import Slope, plan_reference
 from tests.cases import examples
 from tests.kernel.planners.cases import SHAPES, Move, integrated, moves, plan_jerk, sizes
 from tests.kernel.planners.test_laws import JERK, RATIO, ramp
@@ -126,41 +125,11 @@ def jogged(shape: str) -> st.SearchStrategy[Plan]:
     return st.builds(made, velocities, velocities, sizes(1.0, 1e4), sizes(1.0, 1e4))
 
 
-def ramped(acceleration: st.SearchStrategy[float]) -> st.SearchStrategy[Plan]:
-    """Return ramps of a speed reference, which may begin with a share of the acceleration."""
-
-    def edge_time(change: float, slope: Slope) -> float:
-        edge = slope.begin + slope.end
-        peak = min(slope.rate, math.sqrt(2.0 * change * slope.rate / edge))
-        return change / peak + 0.5 * edge * peak / slope.rate if peak else 0.0
-
-    def made(v0: float, v1: float, up: Slope, down: Slope, share: float) -> Plan:
-        if share:
-            down = up
-        a0 = share * up.rate
-        one, other = (
-            plan_reference(0.0, sign * v0, sign * v1, up, down, a0=sign * a0) for sign in (1.0, -1.0)
-        )
-        assert one.acceleration(0.0) == pytest.approx(a0, abs=1e-6 * up.rate) or not share
-        jerk = max(slope.rate / edge for slope in (up, down) for edge in (slope.begin, slope.end))
-        limits = {"accel": up.rate, "decel": down.rate, "jerk": jerk, "tolerance": 1e-6}
-        if not share:
-            limits["speed"] = max(abs(v0), abs(v1))
-        slower, faster = sides(v0, v1)
-        time = None if share else edge_time(slower, down) + edge_time(faster, up)
-        return Plan(one, "scurve", limits, other, None, v1, time)
-
-    slopes = st.builds(Slope, rates, edges, edges)
-    return st.builds(made, velocities, velocities, slopes, slopes, acceleration)
-
-
 PLANNERS: dict[str, st.SearchStrategy[Plan]] = {
     **{f"a move, {shape}": moved(shape) for shape in SHAPES},
     "a move from an acceleration": accelerating(),
     **{f"a stop, {shape}": stopped(shape) for shape in SHAPES},
     **{f"a jog, {shape}": jogged(shape) for shape in SHAPES},
-    "a speed reference": ramped(st.just(0.0)),
-    "a speed reference from an acceleration": ramped(st.floats(0.01, 1.0) | st.floats(-1.0, -0.01)),
 }
 
 
@@ -212,14 +181,3 @@ def test_a_planner_obeys_the_laws(planner: str) -> None:
         takes_the_time_of_the_closed_form(each)
 
     check()
-
-
-def test_a_reference_reaches_its_rate_between_its_edges() -> None:
-    """500 at 2000 take 0.25 s, plus half of the edges of 0.1 s and 0.2 s.
-
-    The distances are 10/3, 20 and 260/3 units.
-    """
-    made = plan_reference(0.0, 0.0, 500.0, Slope(2000.0, 0.1, 0.2), Slope(1.0))
-    assert made.knots[:-1] == pytest.approx((0.0, 0.1, 0.2, 0.4))
-    assert [made.velocity(t) for t in (0.1, 0.2, 0.4, 9.0)] == pytest.approx([100.0, 300.0, 500.0, 500.0])
-    assert (made.position(0.4), made.acceleration(0.15)) == pytest.approx((110.0, 2000.0))

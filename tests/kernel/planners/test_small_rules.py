@@ -13,7 +13,6 @@ from motionlang.commands.plan.solve import solve_move
 from motionlang.kernel.planners import MotionState, Profile, from_curve, plan, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.arc import arc_over, line_over
 from motionlang.kernel.planners.cubics import _fit, cubics
-from motionlang.kernel.planners.extrapolation import Extrapolated
 from motionlang.kernel.planners.limits import LARGEST, SMALLEST
 from motionlang.kernel.planners.lookahead import PathPace, plan_course
 from motionlang.kernel.planners.ramps import MOMENT
@@ -114,12 +113,6 @@ def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
     pieces = ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, -0.25, 0.0, 0.0, 0.0, 0.0))
     curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would reverse at 3
     assert knot_distances(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
-
-
-def test_the_peaks_of_a_formula_that_runs_on_are_of_their_own_kind() -> None:
-    ahead = Extrapolated(plan_velocity("trapezoid", 0.0, 0.0, 100.0, 10.0, 10.0), 0.1)
-    assert ahead.peak_acceleration == pytest.approx(10.0)
-    assert ahead.peak_speed >= 100.0
 
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:

@@ -111,14 +111,6 @@ def test_idle_comes_at_the_sample_at_which_the_window_was_met() -> None:
     assert result.output == [f"{int((last + 1) / trace.loop.servo_rate * 1000.0 + 5.0)}"]
 
 
-def test_the_settling_time_is_measured() -> None:
-    window = "SCALE(0) = 100 : IDLEMODE(0) = 1 : IDLEPOS(0) = 0.002 : IDLETIME(0) = 5\n"
-    text = window + MOVE + 'PAUSE IDLE(0) : PRINT TIME, " ", IDLESETTLINGTIME(0)'
-    ((time, settling),) = printed(text, MOTOR, servo={"proportional": 0.008, "derivative": 0.15})
-    assert time - 300.0 == pytest.approx(settling, abs=1.0)
-    assert settling > 20.0
-
-
 def test_wait_for_target_of_mccl() -> None:
     text = "1SG0.008,1SD0.15,1MN,1DB2,1DT0.01,1SV10000,1SA100000,1DS100000,1MR2000,1WS0,1TF,1WT0,1TF,1TS"
     stopped, settled, status = printed(text, MOTOR, "mccl")

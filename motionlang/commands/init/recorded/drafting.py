@@ -65,8 +65,6 @@ RECORDED = (
     "input bank",
     "output",
     "output bank",
-    "relay",
-    "relay bank",
     "digital",
     "analogue input",
 )

@@ -56,7 +56,6 @@ MAX_INPUTS, MAX_CHANGES = 8, 3
 DRIVEN = {
     "input": ("input", "channel"),
     "analogue": ("analogue input", "channel"),
-    "coil": ("Modbus coil", "coil"),
 }
 
 

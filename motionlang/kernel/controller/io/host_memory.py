@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 Listener = Callable[[str, int, bool], None]
 
 # Area -> (first element, last element).
-AREAS = {"comms": (1, 99), "netdata": (0, 999), "dpr": (0, 4095)}
+AREAS = {"comms": (1, 99), "netdata": (0, 999)}
 # Their printed names.
-_CALLED = {"comms": "the comms array", "netdata": "NetData", "dpr": "the dual-port RAM"}
+_CALLED = {"comms": "the comms array", "netdata": "NetData"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
 PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
 _LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
@@ -100,8 +100,8 @@ class HostMemory:
     def schedule(
         self, controller: ControllerState, area: str, entry: Mapping[str, object], since: float = 0.0
     ) -> None:
-        """Schedule one `[[comms]]`, `[[netdata]]` or `[[dpr]]` of the machine file; its times count from `since`."""
-        words, element = _words(area, entry), int(entry["address" if area == "dpr" else "element"])  # type: ignore[call-overload]
+        """Schedule one `[[comms]]` or `[[netdata]]` of the machine file; its times count from `since`."""
+        words, element = _words(area, entry), int(entry["element"])  # type: ignore[call-overload]
         if "asked" in entry:
             self._answer(controller.answering(), area, element, entry, since)
             return
@@ -122,7 +122,7 @@ class HostMemory:
         def put(rule: AskedRule, words: object) -> None:
             self.write(area, element, words)  # type: ignore[arg-type]
 
-        name = f"{_CALLED[area]}, {'address' if area == 'dpr' else 'element'} {element}"
+        name = f"{_CALLED[area]}, element {element}"
         asking.add(area, element, entry, since, Responder(lambda _: name, current, other, put))
 
 
@@ -163,9 +163,7 @@ def _words(area: str, entry: Mapping[str, object]) -> list[int]:
 def _checked(area: str, element: int) -> int:
     first, last = AREAS[area]
     if not first <= element <= last:
-        what = "address" if area == "dpr" else "element"
-        plural = "addresses" if area == "dpr" else "elements"
         raise Rejected(
-            "channel", f"{_CALLED[area]} has no {what} {element}", f"its {plural} are {first} to {last}"
+            "channel", f"{_CALLED[area]} has no element {element}", f"its elements are {first} to {last}"
         )
     return element

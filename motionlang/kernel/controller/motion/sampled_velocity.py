@@ -10,33 +10,51 @@ from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.io.samples import PERIOD
 from motionlang.kernel.controller.io.sensor import next_tick
 from motionlang.kernel.controller.motion.follow import FollowMove
-from motionlang.kernel.controller.motion.reference import Reference
-from motionlang.kernel.controller.queue.life import require_idle
+from motionlang.kernel.controller.queue.action import Action
+from motionlang.kernel.controller.queue.life import append_profile, require_idle
 from motionlang.kernel.controller.queue.plan import rates
 from motionlang.kernel.controller.queue.stop import give_up
+from motionlang.kernel.controller.queue.track import end_move, log_move
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.curve import far_end
 from motionlang.kernel.planners.dwell import rest
 
 
-class SampledVelocity(Reference):
+class SampledVelocity(Action):
     """The motion of an axis with a velocity function.
 
     `decide` returns the desired velocity, counts/s, and true if it may still change.
     """
 
-    __slots__ = ("a", "awake", "decide")
+    __slots__ = ("a", "awake", "decide", "move")
 
     exclusive = True
+    keeps_rates = False
 
     def __init__(self, a: Axis, move: FollowMove, decide: Callable[[], tuple[float, bool]]) -> None:
-        super().__init__(move)
+        self.move = move
+        move.action = self
         self.a, self.decide = a, decide
         self.awake = False
+
+    def engage(self, a: Axis, profile: Profile) -> None:
+        """Begin with a profile, or continue with it."""
+        if a.move is not self.move:
+            end_move(a, "retarget")
+            log_move(a, self.move, profile)
+            self.move.segments.clear()
+        self.move.begin_new_entry(a.controller.log, a.clock.now)
+        self.move.add(a.clock.now, profile)
+        a.target = self.move.target = profile.end
+        append_profile(a, profile, BY_DESIGN)
+
+    def replan(self, a: Axis) -> None:
+        self.engage(a, self.plan(a))
 
     @property
     def resting(self) -> bool:

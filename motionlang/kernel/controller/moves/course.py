@@ -1,7 +1,7 @@
 """A course: the path in progress and the paths that it enters without a stop.
 
 A course plans the distance along its paths over time and derives the motion of each axis. It schedules no
-event and moves no axis: `path_run.PathRun` does that, with the superposition of all blended courses.
+event and moves no axis: `path_run.PathRun` does that.
 """
 
 from __future__ import annotations
@@ -38,24 +38,19 @@ class Course:
     rounded in between, so they cannot decide which path has ended or whether it was the last one. `present` is the
     profile up to the end of `here`, which comes at the time `end_time`.
 
-    `starts` are the positions of the axes from which the course was laid out. `begins` are those at which it really
-    begins, the end of the course that it is blended with: that may be cut short. `entered` are the paths that it has
-    been on since. `planned_at` is when its profile was last planned: settings that do not act at once have no effect
-    until the next plan. `is_stopping` is set once it only has to come to rest, and `is_over` when it is done, before
-    or after a course that it is blended with.
+    `planned_at` is when its profile was last planned: settings that do not act at once have no effect until the next
+    plan. `is_stopping` is set once it only has to come to rest.
     """
 
     def __init__(self, here: PathMove, starts: Sequence[float]) -> None:
         self.here, self.axes, self._clock = here, here.axes, here.axes[0].clock
         self.segment = here.lay(starts)
-        self.starts, self.begins = list(starts), list(starts)
         self.ahead: list[tuple[PathMove, PathSegment]] = []
-        self.entered: list[PathMove] = [here]
         self.profile: Profile = hold(0.0)
         self.present = self.profile
         self.goal: PathMove | None = here
         self.began = self.planned_at = 0.0
-        self.is_stopping = self.is_over = False
+        self.is_stopping = False
         self.rates = (0.0, 0.0)  # those of its last plan, user units
 
     # ----------------------------------------------------------------------------------------------- reading
@@ -107,22 +102,15 @@ class Course:
         segment = following.lay(self.segment.ends)
         return bool(segment.length) and corner(self.segment, segment) > master.contour_angle
 
-    @property
-    def ends(self) -> list[float]:
-        """The end positions of the axes on the present path."""
-        return [self._at(k, end) for k, end in enumerate(self.segment.ends)]
-
     def of(self, k: int) -> Profile:
         """Return the motion of axis index k on this path, from the time `began`."""
-        end = self._at(k, self.segment.ends[k])
+        end = self.segment.ends[k]
         present = self.present
         if not self.segment.length:  # it takes no time, unless it is suspended
             return relabelled(hold(end).cut(present.duration), present.shape)
         made = travelled(present, self.segment.curves[k])
-        if self.begins[k] != self.starts[k]:
-            made = made.scaled(self._at(k, made.start), 1.0)
         if self.segment.starts is not None and present.start == 0.0:
-            made.start = self._at(k, self.segment.starts[k])
+            made.start = self.segment.starts[k]
         arrives = self.goal is not None or present.end >= self.segment.length * (1.0 - 1e-12)
         if arrives and present.duration < INFINITY:
             made.end = end
@@ -133,10 +121,8 @@ class Course:
         count, distance = self._rest(self.profile)
         segment = self.ahead[count - 1][1] if count else self.segment
         if not segment.length or distance >= segment.length * (1.0 - 1e-12):
-            positions = segment.ends
-        else:
-            positions = [curve.position(distance) for curve in segment.curves]
-        return [self._at(k, each) for k, each in enumerate(positions)]
+            return list(segment.ends)
+        return [curve.position(distance) for curve in segment.curves]
 
     def reached(self, stop: Profile | None) -> int:
         """Return how many of the paths ahead a stop enters; None is the present plan."""
@@ -151,11 +137,6 @@ class Course:
                 return count, distance
             distance -= segment.length
         return len(self.ahead), distance
-
-    def _at(self, k: int, position: float) -> float:
-        """Convert a laid-out position of axis index k for the actual start of the course."""
-        begin, start = self.begins[k], self.starts[k]
-        return position if begin == start else begin + (position - start)
 
     # -------------------------------------------------------------------------------------------- execution
 
@@ -186,7 +167,6 @@ class Course:
     def begin_next(self) -> None:
         """Enter the next path."""
         self.here, self.segment = self.ahead.pop(0)
-        self.entered.append(self.here)
 
     def go_on(self, rest: Profile) -> None:
         """Run the path just reached on `rest`, the rest of the profile.
@@ -201,37 +181,17 @@ class Course:
 
     def shift(self, k: int, by: float) -> None:
         """Shift positions of axis index k by `by` counts for a new zero, without motion."""
-        self.starts[k] += by
-        self.begins[k] += by
         for segment in (self.segment, *(each for _, each in self.ahead)):
             segment.shift(k, by)
 
-    def begin_at(self, positions: Sequence[float]) -> None:
-        """Begin at `positions`, the changed end of the course before; adjust the log."""
-        if list(positions) == self.begins:
-            return
-        self.begins = list(positions)
-        for k, position in enumerate(positions):
-            for path in self.entered:
-                move = path.moves[k]
-                if move.profile is not None:
-                    move.profile = move.profile.scaled(position, 1.0)
-                    position = move.profile.end
-        by = [position - start for position, start in zip(positions, self.starts, strict=True)]
-        for path in (*self.entered, *(path for path, _ in self.ahead)):
-            path.displace(by)
-
     # ------------------------------------------------------------------------------------------------ planning
 
-    def look_ahead(self, begins: bool = False) -> None:
-        """Lay out the paths of the buffers that can be entered without a stop.
-
-        If the course `begins` superposed on another one, its own path is still in the buffers and is skipped.
-        """
+    def look_ahead(self) -> None:
+        """Lay out the paths of the buffers that can be entered without a stop."""
         if not self.here.may_join or self.is_stopping:
             return
         before = self.ahead[-1] if self.ahead else (self.here, self.segment)
-        while (entry := motion_at(self.axes[0], index := len(self.ahead) + begins)) is not None:
+        while (entry := motion_at(self.axes[0], index := len(self.ahead))) is not None:
             action = entry.action
             if not _continues(action, self.axes, index):
                 return

@@ -27,11 +27,10 @@ class PathMove(Action):
     """One path: its `moves`, one per axis, its geometry, and its `run` once started.
 
     The geometry of a `relative` path counts from the positions of its axes at its start. A `policy` replaces the
-    settings of the axes. `scales` are the counts per user unit of each axis when the path was loaded. `displaced` is
-    how far it was moved from its geometry, on each axis, because a path that it is blended with was cut short.
+    settings of the axes. `scales` are the counts per user unit of each axis when the path was loaded.
     """
 
-    __slots__ = ("axes", "displaced", "geometry", "moves", "policy", "relative", "run", "scales")
+    __slots__ = ("axes", "geometry", "moves", "policy", "relative", "run", "scales")
 
     def __init__(
         self,
@@ -45,7 +44,6 @@ class PathMove(Action):
         self.policy = policy
         self.scales = [a.scale.counts for a in axes] if policy is None else policy.scales
         self.run: PathRun | None = None
-        self.displaced: Sequence[float] = ()
 
     @property
     def live(self) -> bool:
@@ -149,11 +147,6 @@ class PathMove(Action):
 
     def entries(self, a: Axis, move: LoggedMove) -> tuple[LoggedMove, ...]:
         return (move,) if self.run is None else self.run.entries(a)
-
-    def displace(self, by: Sequence[float]) -> None:
-        """Displace the path because the one that it is blended with was cut short."""
-        self.displaced = by
-        self.axes[0].controller.motion_listener.displace(self)
 
     def replan(self, a: Axis) -> None:
         if self.run is not None and (a is self.axes[0] or a.limited):

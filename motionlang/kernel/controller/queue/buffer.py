@@ -55,9 +55,6 @@ def stamped(a: Axis, move: LoggedMove) -> LoggedMove:
     if mode & 1:
         move.speed = a.speed
     move.overridden = mode > 1
-    if a.own_rates is not None:
-        speed, *rates = a.own_rates
-        move.speed, move.rates = move.speed if speed is None else speed, (rates[0], rates[1])
     return move
 
 

@@ -51,8 +51,7 @@ def move_by(a: Axis, distance: float, command: str = "", line: int = 0) -> None:
 def permit_motion(a: Axis) -> None:
     """Close the loop of an axis that is about to get a motion.
 
-    Raises Rejected while the axis is disabled, is locked by an error, has its brake set, or is in a motion that allows
-    no other.
+    Raises Rejected while the axis is disabled, is locked by an error, or is in a motion that allows no other.
     """
     if a.faults & a.locks:
         what = fault_names(a.faults)
@@ -61,8 +60,6 @@ def permit_motion(a: Axis) -> None:
         )
     if not a.enabled:
         raise Rejected("disabled-axis", f"axis {a.index} is off", "enable the axis before moving it")
-    if a.is_braked:
-        raise Rejected("brake", f"the brake of axis {a.index} is set", "release the brake before moving it")
     if a.move is not None and a.move.action is not None and a.move.action.exclusive:
         words = f"axis {a.index} is in {a.move.command}, which takes no other motion"
         raise Rejected("moving", words, "stop it before another motion")

@@ -101,8 +101,7 @@ def end_move(a: Axis, ended: str) -> None:
             move.action.leave(a, ended)
         done = move.until(a.clock.now)
         exact = a.here(a.clock.now) - move.offset
-        # An axis that has not moved is where it was. The position of one on two blended paths is that of
-        # neither path.
+        # An axis that has not moved is where it was.
         if done.distance and abs(exact - done.end) < watch.margin(exact):
             done = done.ending_at(exact)
         move.profile = done

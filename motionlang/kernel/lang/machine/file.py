@@ -49,7 +49,7 @@ _QUOTED = r'''"""[\s\S]*?"""|\'\'\'[\s\S]*?\'\'\'|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|
 _COMPONENT = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')"""
 _LONG_KEY = rf"(?<![\w-]){_COMPONENT}(?:[ \t]*\.[ \t]*{_COMPONENT}){{{_MAX_COMPONENTS}}}"
 # The range of each kind of whole numbers.
-_WHOLE = {"channel": (0, 999), "times": (1, 10_000), "node": (0, 255), "port": (1, 8), "dpr": (0, 4095)}
+_WHOLE = {"channel": (0, 999), "times": (1, 10_000), "node": (0, 255)}
 # The values of each kind of choice; a TOML file has a flag as a truth value.
 _CHOICES = {"event": EVENTS, **{kind: each for kind, each in CHOICES.items() if kind != "flag"}}
 _WORDS = {"motor": "must be servo or stepper", "terminal": "must be 1, 2, 4, 8, 16, 32, 64 or 128"}
@@ -244,7 +244,7 @@ def _entry_problems(table: str, entry: Mapping[str, object]) -> Iterator[tuple[s
         yield "[[encoder]] needs a channel or an aux", "channel = 2 is an encoder", "[[encoder]]"
     if table == "expect":
         yield from _expect_problems(entry)
-    if table in ("comms", "netdata", "dpr"):
+    if table in ("comms", "netdata"):
         yield from _written_problems(table, entry)
 
 
@@ -346,7 +346,7 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
     what = [name for name in OF_A_NODE if name in entry]
     if len(what) != 1:
         yield (
-            "[[remote]] needs a channel, an analogue, an encoder, an element, an object or an event",
+            "[[remote]] needs a channel, an analogue or an event",
             "give one of them; channel = 0 is a digital input",
             "[[remote]]",
         )
@@ -354,13 +354,6 @@ def _remote_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, st
         yield f"[[remote]] with {what[0]} takes no for", TABLES["remote"]["for"][1], "for"
     elif what[0] == "event" and "value" in entry:
         yield "[[remote]] with event takes no value", TABLES["remote"]["event"][1], "value"
-    element = entry.get("element", 1)
-    if isinstance(element, int) and not 1 <= element <= 99:
-        yield (
-            f"element of [[remote]] must be 1 to 99, not {shown(element)}",
-            TABLES["remote"]["element"][1],
-            "element",
-        )
 
 
 def _expect_problems(entry: Mapping[str, object]) -> Iterator[tuple[str, str, str]]:

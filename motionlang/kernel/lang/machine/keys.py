@@ -156,9 +156,7 @@ DRIVES = {
     "analogue": ("analogue input", "channel"),
     "comms": ("comms element", "element"),
     "netdata": ("network data", "element"),
-    "dpr": ("dual-port RAM", "address"),
     "modbus.register": ("Modbus register", "register"),
-    "coil": ("Modbus coil", "coil"),
     "key": ("key", ""),
     "answer": ("answer", ""),
 }
@@ -212,12 +210,8 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "node": ("node", "The remote node."),
         "channel": ("channel", "A digital input of the node."),
         "analogue": ("channel", "Instead: an analogue input."),
-        "encoder": ("channel", "Instead: an encoder."),
-        "element": ("channel", "Instead: an element of its comms array, 1 to 99."),
-        "object": ("register", "Instead: an object of its dictionary, such as 0x6041."),
-        "sub": ("channel", "The sub-index of the object. Default 0."),
         "event": ("node event", "Instead: the new state of the node, live, dead or emergency."),
-        "value": ("number", "The value: a level (default 1), a percentage, or counts. An event has none."),
+        "value": ("number", "The value: a level (default 1) or a percentage. An event has none."),
         "at": _WHEN["at"],
         "for": ("positive", "Time that an input keeps the value, in seconds. Default: forever."),
     },
@@ -227,13 +221,6 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
             "bus event",
             "The new state of the bus, operational, passive or off; or receive-overrun or transmit-overrun.",
         ),
-        "at": _WHEN["at"],
-    },
-    "pdo": {
-        "bus": ("bus", "The bus. Default 1."),
-        "cobid": ("register", "The identifier of the process data, such as 0x182."),
-        "bank": ("bit", "0 for the lower 32 bits, 1 for the upper ones. Default 0."),
-        "value": ("number", "The data received."),
         "at": _WHEN["at"],
     },
     "modbus.server": {
@@ -255,20 +242,12 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         **_ACTS,
         "guess": _GUESS,
     },
-    "coil": {
-        "coil": ("register", "The coil of the controller that a Modbus client writes."),
-        "value": ("number", "The value. Default 1."),
-        **_ACTS,
-        "for": ("positive", "Duration in seconds. Default: forever."),
-        "guess": _GUESS,
-    },
     "fault": {
         "axis": ("channel", "The axis with the fault; none for controller."),
         "kind": (
             "fault",
             "The fault: following-error, error-input, forward-limit, reverse-limit, drive or controller.",
         ),
-        "value": ("channel", "The bits that DRIVEERROR and MISCERROR then have. Default 1."),
         "line": (
             "line",
             "The line of the program that triggers it, when it is reached for the first time.",
@@ -302,20 +281,9 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "terminal": _TERMINAL,
         "guess": _GUESS,
     },
-    "serial": {
-        "port": ("port", "The serial port. Default 1."),
-        "text": ("text", "The characters received there, for SERIALCHAR."),
-        "at": _WHEN["at"],
-    },
     "comms": {
         **_ACTS,
         "element": ("channel", "The element of the comms array that the host writes, 1 to 99."),
-        **_WRITTEN,
-        "guess": _GUESS,
-    },
-    "dpr": {
-        **_ACTS,
-        "address": ("dpr", "The address of the dual-port RAM that the host writes, 0 to 4095."),
         **_WRITTEN,
         "guess": _GUESS,
     },
@@ -369,18 +337,14 @@ REQUIRED = {
     "analogue": ("channel", "value"),
     "remote": ("node",),
     "bus": ("event",),
-    "pdo": ("cobid", "value"),
     "modbus.server": ("id",),
     "modbus.register": ("server", "register", "value"),
-    "coil": ("coil",),
     "fault": ("kind",),
     "key": ("text",),
     "encoder": ("velocity",),
     "answer": ("text",),
-    "serial": ("text",),
     "comms": ("element",),
     "netdata": ("element",),
-    "dpr": ("address",),
     "expect": (),
 }
 # The keys that identify the subject of an entry, with their defaults. An entry of a scenario replaces the
@@ -390,26 +354,21 @@ NAMED = ("input", "analogue")
 ABOUT: dict[str, dict[str, object]] = {
     "input": {"channel": None},
     "analogue": {"channel": None},
-    "remote": {"bus": 1, "node": None, "channel": None, "analogue": None, "encoder": None, "element": None,
-               "object": None, "sub": 0, "event": None},
+    "remote": {"bus": 1, "node": None, "channel": None, "analogue": None, "event": None},
     "bus": {"bus": 1},
-    "pdo": {"bus": 1, "cobid": None, "bank": 0},
     "modbus.server": {"id": None},
     "modbus.register": {"server": None, "register": None},
-    "coil": {"coil": None},
     "fault": {"axis": None},
     "key": {"terminal": 1},
     "encoder": {"channel": None, "aux": None},
     "answer": {"terminal": 1},
-    "serial": {"port": 1},
     "comms": {"element": None},
-    "dpr": {"address": None},
     "netdata": {"element": None},
 }  # fmt: skip
 # The shortest period of an input that repeats until the end of the run, s: a shift has 2.9 million of them.
 SHORTEST_PERIOD = 0.01
 # The keys that identify the subject of a [[remote]] entry.
-OF_A_NODE = ("channel", "analogue", "encoder", "element", "object", "event")
+OF_A_NODE = ("channel", "analogue", "event")
 STOPS = ("run.stop.event", "run.stop.prints", "run.stop.line")
 LAST_REGISTER = 65535
 LAST_LINE = 99_999_999

@@ -76,7 +76,7 @@ class Machine:
         # What ends the run before its time limit, if anything does.
         self.stop = stop_of(self.settings, self.clock, self.log)
         self.terminal = Terminal(self.clock, self.log.prints, show, self.log.origin)
-        # The output to other terminals and to serial ports, by label.
+        # The output to other terminals, by label.
         self.terminals: dict[str, Terminal] = {}
         # Called for a line of the console when the program wants one; None if there is no operator.
         self.ask: Callable[[], str | None] | None = None

@@ -7,7 +7,7 @@ a line while the program asks for one.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from motionlang.kernel.controller.io.asking import AskedRule, Responder
@@ -41,7 +41,6 @@ class Operator:
     ) -> None:
         self._clock, self._controller, self._terminal = controller.clock, controller, terminal
         self.keys: list[int] = []
-        self.listeners: list[Callable[[], None]] = []  # called when keys have been pressed
         self.asking = False
         self._typed = ""
         self._held_key, self._until = 0, -1.0
@@ -97,8 +96,6 @@ class Operator:
         self.keys += codes
         self._held_key, self._until = codes[-1], self._clock.now + duration
         self._clock.at(self._until, _nothing)  # a wait for the release of the key must check again
-        for listener in self.listeners:
-            listener()
 
     @staticmethod
     def typed(code: int) -> str:

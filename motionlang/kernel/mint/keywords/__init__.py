@@ -10,13 +10,10 @@ from motionlang.kernel.lang.vocabulary import Vocabulary
 
 # In the order of the documentation pages. The last file holds keywords that are not simulated.
 ORDER = """
-correction presets hold_to_analogue torque jogging drives
-axis feedrate motion buffer compensation on_the_fly paths following following_masters following_auxiliary
-table_motion_cams table_motion_splines state timing tasks terminal
-camboxes auxiliary_latches error_masks event_flags relays steppers
-io_inputs io_outputs io_signals comms modbus remote network serial limits limits_switches
-limits_resetting homing latches latches_position_compare sensing servo functions nonvolatile encoder_wrap
-no_effect identity legacy factory_defaults units constants language library
+hold_to_analogue jogging axis feedrate motion buffer compensation on_the_fly paths following following_masters
+following_auxiliary table_motion_cams table_motion_splines state timing tasks terminal io_inputs io_outputs io_signals
+comms modbus remote network limits limits_switches limits_resetting homing latches sensing servo functions nonvolatile
+no_effect identity legacy constants language library
 """
 _vocabulary: Vocabulary | None = None
 

@@ -117,13 +117,6 @@ ROWS = (
     Keyword("NETINTEGER", "", "setting", "RW", "element", "integer", _whole("netdata"),
             "A location of NetData as an integer; it shares its 32 bits with NETFLOAT.",
             "NETFLOAT(3) = 1\nPRINT NETINTEGER(3)", default=0.0, group="comms", driven="netdata"),
-    Keyword("DPRFLOAT", "", "setting", "RW", "address", "number", _real("dpr"),
-            "A word of the dual-port RAM, 0 to 4095, as a float; it shares its 32 bits with DPRLONG. What the "
-            "controller itself publishes there is not simulated.",
-            "DPRFLOAT(100) = 2.5\nPRINT DPRFLOAT(100)", default=0.0, group="comms", driven="dpr"),
-    Keyword("DPRLONG", "", "setting", "RW", "address", "integer", _whole("dpr"),
-            "A word of the dual-port RAM as an Integer; it shares its 32 bits with DPRFLOAT.",
-            "DPRLONG(100) = 7\nPRINT DPRLONG(100)", default=0.0, group="comms", driven="dpr"),
 )  # fmt: skip
 # The event sources of each kind, created for programs that handle these events.
 SOURCES = {"comms": HostEvents, "netdata": HostEvents}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 # Bit patterns of a bank of inputs.
 PATTERNS = {"INPUTMODE": 0, "INPUTPOSTRIGGER": -1, "INPUTNEGTRIGGER": 0, "IMASK": -1}
-ANALOGUE = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0, "ADCDEADBAND": 0.0, "ADCDEADBANDOFFSET": 0.0, "ADCMODE": 0}
+ANALOGUE = {"ADCGAIN": 100.0, "ADCOFFSET": 0.0}
 # The reaction of an axis to an error: one of the _em constants.
 MODES = {
     "LIMITMODE": 1,

@@ -14,10 +14,10 @@ KINDS = (
 # names the source.
 RAISED_BY = {
     "in": "IN", "latch": "LATCH", "fastin": "FASTENABLE", "stop": "STOPINPUT", "comms": "COMMS", "netdata": "NETFLOAT",
-    "bus": "NODELIVE", "terminalreceive": "EVENTPEND", "serialreceive": "SERIALCHAR",
+    "bus": "NODELIVE",
 }  # fmt: skip
-# Kinds that only EVENTPEND raises here, because the simulated machine has no source for them.
-SOURCELESS = frozenset(("dpr", "busmessage", "modbus", "knife", "reset"))
+# Kinds that nothing raises here, because the simulated machine has no source for them.
+SOURCELESS = frozenset(("dpr", "terminalreceive", "serialreceive", "busmessage", "modbus", "knife", "reset"))
 # Kinds that happen again and again by time alone.
 _TIMED = frozenset(("timer",))
 # Other names of a kind: COMMSX in the manuals, and CAN in v4.

@@ -10,9 +10,6 @@ from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
 
-# FEEDRATEPARAMETER: the unit of each parameter.
-PARAMETERS = ("uu/s", "uu/s2", "uu/s2")
-
 
 class TimesToMost:
     """The rates that were set as times to reach MAXSPEED, by keyword and axis.
@@ -49,30 +46,6 @@ def _rate(name: str) -> str:
 
 
 # ----------------------------------------------------------------------------------------------- operations
-
-
-def _parameter(parameter: int) -> str:
-    if not 0 <= parameter < len(PARAMETERS):
-        hint = "0 is the speed, 1 the acceleration, 2 the deceleration"
-        raise Rejected("range", f"FEEDRATEPARAMETER has no parameter {parameter}", hint)
-    return PARAMETERS[parameter]
-
-
-def read_parameter(environment: Environment, axis: int, parameter: int) -> float:
-    """FEEDRATEPARAMETER: return a rate in user units, 0 if moves use the axis's own."""
-    a, unit = environment.controller.axes[axis], _parameter(parameter)
-    return a.scale.to_user((a.own_rates[parameter] if a.own_rates is not None else None) or 0.0, unit)
-
-
-def write_parameter(environment: Environment, axis: int, parameter: int, value: float) -> None:
-    """FEEDRATEPARAMETER: set a rate for moves loaded from now on, in user units.
-
-    0 cancels it.
-    """
-    a, unit = environment.controller.axes[axis], _parameter(parameter)
-    own = list(a.own_rates or (None, None, None))
-    own[parameter] = abs(a.scale.to_counts(value, unit)) or None
-    environment.controller.configure(axis, "own_rates", tuple(own) if any(own) else None)
 
 
 def read_time_to_most(environment: Environment, row: Keyword, axis: int) -> int:
@@ -136,7 +109,6 @@ def _limit(function: str) -> Actions:
     )
 
 
-_PARAMETER = Actions(read=of(Environment, read_parameter), write=of(Environment, write_parameter))
 _TIME_TO_MOST = Actions(
     read=of_word(Environment, read_time_to_most), write=repeatable(of_word(TimesToMost, write_time_to_most))
 )
@@ -172,11 +144,6 @@ ROWS = (
     Keyword("FEEDRATEOVERRIDE", "FRO", "setting", "RW", "axis", "%", "override",
             "Percentage of its speed at which a move runs, where bit 1 of FEEDRATEMODE is set; it acts at once.",
             _HALF, default=100.0, low=0.0, high=_MAX_VALUE, group="axis"),
-    Keyword("FEEDRATEPARAMETER", "", "setting", "RW", "axis, parameter", "number", _PARAMETER,
-            "Parameters of moves loaded from now on: 0 a speed, 1 an acceleration, 2 a deceleration; the "
-            "value 0 restores SPEED, ACCEL or DECEL.",
-            "FEEDRATEPARAMETER(0, 0) = 25\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)",
-            default=0.0, low=0.0, high=1e12, group="axis"),
     _most("MAXSPEED", "uu/s", _limit("max_speed"),
           "The highest speed of moves, of JOG, of an axis on a path, and of OFFSET in its mode 1 and above.",
           "MAXSPEED(0) = 50\nSPEED(0) = 80\nMOVER(0) = 100\nGO(0)\nWAIT = 100\nPRINT VEL(0)"),

@@ -5,9 +5,11 @@ A virtual encoder runs at AUXENCODERSPEED.
 
 from __future__ import annotations
 
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.motion.encoder import AUXILIARY
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.io_inputs import checked
+from motionlang.kernel.mint.keywords.latches import BY_INDEX, Latch
 from motionlang.kernel.mint.keywords.sensing import (
     Encoders,
     compared,
@@ -66,6 +68,27 @@ class AuxEncoders(Encoders):
             self._controller.drive_encoder(AUXILIARY + channel, 0.0)
 
 
+class IndexMarks(Latch):
+    """A latch that stays armed for the index marks of an auxiliary encoder."""
+
+    def __init__(self, environment: Environment, channel: int) -> None:
+        super().__init__(environment, channel, lambda _: None)
+        self.trigger_mode, self.again = BY_INDEX, 1
+        self.arm(True)
+
+    @property
+    def track(self) -> Axis:
+        return self._controller.encoder(self.axis)
+
+
+class Marks:
+    """The index marks of the machine file's auxiliary encoders, watched from the start of the program."""
+
+    def __init__(self, environment: Environment) -> None:
+        encoders = environment.controller.encoders
+        self.latches = {each: IndexMarks(environment, each) for each in encoders if each >= AUXILIARY}
+
+
 def checked_channel(channel: int) -> int:
     """Return the number of an auxiliary encoder; raise Rejected if there is none."""
     return checked(channel, LAST_ENCODER, "auxiliary encoder")
@@ -82,6 +105,12 @@ def write_mode(encoders: AuxEncoders, row: Keyword, channel: int, mode: int) -> 
     encoders.set_mode(checked_channel(channel), mode)
     if mode not in (0, VIRTUAL):
         encoders.machine.without_effect.setdefault(row.name, [])
+
+
+def read_mark(marks: Marks, channel: int) -> int:
+    """AUXENCODERZLATCH: return 1 if a mark was passed since this was read last."""
+    found = marks.latches.get(AUXILIARY + checked_channel(channel))
+    return int(found is not None and found.read())
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -128,4 +157,7 @@ ROWS = (
             ("ENCODERWRAP", "number", "The range in which AUXENCODER counts, from 0 on; 0 for no end.", 0.0, 0),
         )
     ),
+    Keyword("AUXENCODERZLATCH", "aez", "reading", "R", "auxchannel", "bool", Actions(read=of(Marks, read_mark)),
+            "1 when an auxiliary encoder has passed an index mark since this was read last.",
+            "PRINT AUXENCODERZLATCH(0)", default=0.0, group="latches"),
 )  # fmt: skip

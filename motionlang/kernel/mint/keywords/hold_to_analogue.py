@@ -12,7 +12,7 @@ from motionlang.kernel.controller.motion.sampled_velocity import SampledVelocity
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.axis_settings import StoredSettings, setting_reader, setting_writer
-from motionlang.kernel.mint.keywords.io_outputs import Analogue, analogue_input
+from motionlang.kernel.mint.keywords.io_outputs import HIGHEST, Analogue, analogue_input
 from motionlang.kernel.mint.runtime.binding import of
 from motionlang.kernel.mint.runtime.environment import Environment
 
@@ -58,8 +58,7 @@ class Hold:
         self.filtered = share * before + (1.0 - share) * measured
         error = self.wanted - self.filtered
         lively = abs(self.filtered - measured) > 1e-6
-        lowest, highest = inputs.range(channel)
-        deadband = setting("HTADEADBAND", axis) * (highest - lowest) / COUNTS
+        deadband = setting("HTADEADBAND", axis) * 2.0 * HIGHEST / COUNTS
         return (0.0 if abs(error) <= deadband else error), lively
 
 

@@ -5,12 +5,12 @@ The section `[mint.values]` of the machine file can override each value.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
 from motionlang.kernel.lang.run_errors import NotSimulated
 from motionlang.kernel.mint.keywords.no_effect import StoredValues
-from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, of
+from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of
 from motionlang.kernel.mint.runtime.environment import Environment
 
 # The item of NUMBEROF that counts axes.
@@ -49,18 +49,6 @@ def count(environment: Environment, item: int) -> int:
     raise NotSimulated(words, f'give it in the machine file: [mint.values] NUMBEROF = {{ "{item}" = 8 }}')
 
 
-def takes_moves(environment: Environment, count: int, axes: Sequence[int]) -> int:
-    """OKTOLOADMOVE: return 1 if every axis in the array could load a move now."""
-    controller = environment.controller
-
-    def takes(axis: int) -> bool:
-        a = controller.axes[axis_of(environment, axis)]
-        stopping = a.move is not None and a.move.ended in ("stop", "fault")
-        return controller.is_enabled(axis) and not a.faults and not stopping and controller.room(axis) > 0
-
-    return int(all(takes(int(axis)) for axis in (axes or [])[1 : count + 1]))
-
-
 # ------------------------------------------------------------------------------------------------- keywords
 
 _COUNT = Actions(read=answers(count), write=lambda environment, row: lambda *given: None)
@@ -93,14 +81,6 @@ ROWS = (
     constant("_egCONTROLLER", 3, "ERRORPRESENT and its family: errors of the controller, as _egMISC."),
     _fit("MINTEXECUTING", "none", "1: the program runs."),
     _fit("SUPPORTSMINT", "none", "1: the controller runs programs."),
-    _fit("PHASESEARCHSTATUS", "axis", "1: the motor is commutated."),
-    Keyword("AVERAGEVEL", "", "reading", "R", "axis", "uu/s", "velocity",
-            "Velocity of the axis as VEL has it: there is no noise to average.",
-            "JOG(0) = 100\nWAIT = 100\nPRINT AVERAGEVEL(0)\nSTOP(0)", default=0.0, group="state"),
-    Keyword("OKTOLOADMOVE", "", "reading", "R", "count, array", "bool", Actions(read=of(Environment, takes_moves)),
-            "1 when the axes in an array, so many of them, take a move now: there is room, and none is in error, "
-            "switched off or stopping.",
-            "Dim a(2) As Integer = 0, 1\nPRINT OKTOLOADMOVE(2, a)", default=1.0, group="state"),
     Keyword("NOP", "", "command", "C", "none", "", _NOTHING, "Do nothing.", "NOP", group="control"),
     *(
         Keyword(name, "", "command", "C", "none", "", _NOTHING, help, name, group="terminal")

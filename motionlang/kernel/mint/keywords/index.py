@@ -6,37 +6,19 @@ Written by `python -m tools.derived`; do not edit.
 from __future__ import annotations
 
 FILES = {
-    "correction": """
-movecorrection timescale
-""",
-    "presets": """
-presetmovetype presetmoveposition presetmovespeed presetaccel presetdecel presetjogspeed presetjogdirection
-presetmovehometype presetmoveparameter presetindex presetindexmode presetindexsource presetdwelltime
-presetselectorinput presetinputsmax presetinputstate presettriggerinput presetmoveenable
-""",
     "hold_to_analogue": """
 hta htachannel htakprop hkp htadamping htakint htadeadband hdb htafilter
 """,
-    "torque": """
-torqueref tqr torquerefenable torquerefsource torquerefrisetime torquereffalltime torquedemand effort
-currentmeas cms currentdemand
-""",
     "jogging": """
-jog jg jogspeed jgs jogcommand jgc jogmode jogduration jogtime jogacceltimemax jogdeceltimemax
-""",
-    "drives": """
-drivespeedmax dsm speedref sdr speedrefenable speedrefsource speedrefacceltime speedrefdeceltime
-speedrefacceljerkstarttime speedrefacceljerkendtime speedrefdeceljerkstarttime speedrefdeceljerkendtime
-speedreferrordeceltime speedtestref speedtestrefacceltime speedtestrefdeceltime velref posref speeddemand sdd
-speedmeasured sms speederror velerror
+jog jg
 """,
     "axis": """
-axes scalefactor scale speed sp accel ac decel acceltime deceltime acceljerk deceljerk profilemode
-movebuffersize mb driveenable de
+axes scalefactor scale posscalefactor speed sp accel ac decel acceltime deceltime acceljerk deceljerk
+profilemode movebuffersize mb driveenable de driveenableswitch des
 """,
     "feedrate": """
-feedrate feedratemode frm feedrateoverride fro feedrateparameter maxspeed maxaccel maxdecel acceltimemax
-deceltimemax acceljerktime deceljerktime sramp
+feedrate feedratemode frm feedrateoverride fro maxspeed maxaccel maxdecel acceltimemax deceltimemax
+acceljerktime deceljerktime sramp
 """,
     "motion": """
 mover mr movea ma go cancel cn cancelall cna
@@ -53,8 +35,7 @@ precisionmode _lsoff _lssingle_table _lsdual_table
 incr inca suspend
 """,
     "paths": """
-vectora va vectorr vr circlea ca circler cr helixa helixr contourmode contourangle blendmode blenddistance
-blend veldemandpath vectorangle
+vectora va vectorr vr circlea ca circler cr helixa helixr contourmode contourangle veldemandpath
 """,
     "following": """
 _mspos _msencoder _msauxencoder _ofstandard _ofspeed_limit _ofaccel_mod _ofspeed_mod _osmaxspeed _osminspeed
@@ -66,13 +47,14 @@ mastersource masterchannel masterdistance followmode gearing gr gearingmode grm 
 """,
     "following_auxiliary": """
 auxencoder auxencodervel auxencodermode auxencoderspeed auxencoderscale auxencoderprescale auxencoderwrap
+auxencoderzlatch aez
 """,
     "table_motion_cams": """
-camtable cam camstart camend camamplitude camindex camsegment camphase camphasestatus
+camtable cam camstart camend camamplitude camindex
 """,
     "table_motion_splines": """
 _spspline_1 _spabsolute _spt_absolute _spcontinuous _spspline_2 splinetable spline spl splinestart splineend
-splinetime splinesuspendtime splineindex splinesegment
+splinetime splinesuspendtime splineindex
 """,
     "state": """
 idle id pos ps vel vl posremaining folerror fe movebufferfree
@@ -87,56 +69,28 @@ errcode errline errstring errdata errorpresent errorreadnext errorreadcode error
     "terminal": """
 terminal tm _term1 _term2 _term3 inkey ik readkey rk cls locate line bol beep (terminal) (printer) (row)
 """,
-    "camboxes": """
-cambox camboxdata
-""",
-    "auxiliary_latches": """
-fastauxselect fastauxenable fastauxlatchedge fastauxlatchmode fastauxlatchdistance fastauxlatch fastauxencoder
-encoderzlatch auxencoderzlatch aez auxencoderzeroenable auxencoderzerolatchmode auxencoderzeroposition
-""",
-    "error_masks": """
-errormask errormaskcode asyncerrorpresent driveenableswitch des enableswitch driveerror dre drivefault
-miscerror miscerrordisable
-""",
-    "event_flags": """
-eventpend eventunpend
-""",
-    "relays": """
-pulseoutx relay relayout relayoutx auxdac ad motorbrake motorbrakestatus motorbrakemode motorbrakeoutput
-motorbrakedelay
-""",
-    "steppers": """
-stepper steppervel stepperscale stepperwrap
-""",
     "io_inputs": """
 in inx instate instatex isx inputactivelevel inputdebounce idb inputmode inputpostrigger inputnegtrigger imask
 """,
     "io_outputs": """
-out ot outx otx outputactivelevel oal adc adcgain ag adcoffset ao adcdeadband add adcdeadbandoffset adcmode am
-dac
+out ot outx otx pulseoutx outputactivelevel oal adc adcgain ag adcoffset ao dac
 """,
     "io_signals": """
 driveenableoutput deo globalerroroutput geo
 """,
     "comms": """
 modbusparameter _mpenable _mpdebug _mpdropped_frames _mpregister_mapping _rmcomms_array _rmnet_data
-_busserial1 _busethernet comms commsinteger netfloat netinteger dprfloat dprlong
+_busserial1 _busethernet comms commsinteger netfloat netinteger
 """,
     "modbus": """
-modbustcp16 modbustcp32 modbustcpfloat holdingregister coil
+modbustcp16 modbustcp32 modbustcpfloat
 """,
     "remote": """
 remotein remoteinx remoteinbank remoteout remoteoutx remoteoutbank remoteadc remotedac remotemode nodelive
 """,
     "network": """
 _cetnone _cetoperational _cetpassive _cetoff _cetreceive_overrun _cetdied _cetlive _cetemergency
-_cettransmit_overrun busevent canevent buseventinfo caneventinfo busstate canbusstate busreset canbusreset
-nodescan remotecomms remotecommsinteger commsremote remoteencoder remoteobject remoteobjectfloat
-remoteobjectstring remoteestop remotereset remoteinputactivelevel remoteoutputactivelevel remotepdoin
-remotepdoout remotepdovalid
-""",
-    "serial": """
-serialchar serialbufferusage serialclearreceivebuffer serialcleartransmitbuffer serialclearerror
+_cettransmit_overrun busevent canevent buseventinfo caneventinfo
 """,
     "limits": """
 _emignore _emcrash_stop _emcrash_stop_disable _emerror_decel _emerror_decel_disable _emcall_event
@@ -157,17 +111,12 @@ _hmpositive_switch _hmpositive_switch_index _hmnegative_index _hmpositive_index 
 _hmnegative_limit_index _hmpositive_limit _hmpositive_limit_index
 """,
     "latches": """
-latchtriggermode latchtriggerchannel latchtriggeredge latchsource latchsourcechannel latchmode
-latchinhibittime latchinhibitvalue latchenable latch latchvalue fastselect fastenable fastlatchedge
-fastlatchmode fastlatchdistance fastlatch fastpos fastencoder
-""",
-    "latches_position_compare": """
-comparemode compareoutput comparepos compareenable comparelatch
+latchtriggermode latchtriggerchannel latchtriggeredge latchsource latchsourcechannel latchmode latchenable
+latch latchvalue fastselect fastenable fastlatchedge fastlatchmode fastlatch fastpos fastencoder
 """,
     "sensing": """
-axismode amd posdemand veldemand acceldemand postarget postargetlast posachieved idlemode idlepos idlevel
-idletime idlesettlingtime systemseconds encoder encodervel encodercount encoderscale encoderprescale
-encoderwrap poswrap posrollover
+axismode amd posdemand veldemand acceldemand velerror postarget postargetlast posachieved idlemode idlepos
+idlevel idletime systemseconds encoder encodervel encoderscale encoderprescale encoderwrap poswrap posrollover
 """,
     "servo": """
 kprop kp kint ki kintlimit kil kintmode kim kderiv kd kvel kvelff kaccel looptime lt folerrorfatal torque
@@ -178,25 +127,16 @@ abs sgn int min max sqrt sqr exp log sin cos tan asin acos atan rnd len asc chr 
     "nonvolatile": """
 nvlong nvfloat
 """,
-    "encoder_wrap": """
-posrolloverdemand posrollovertarget posrollovertargetlast datum freq
-""",
     "no_effect": """
 _cfoff _cfservo _cfstepper _cfvirtual
 """,
     "identity": """
-numberof no _noaxes _egcontroller mintexecuting supportsmint phasesearchstatus averagevel oktoloadmove nop
-tron troff _iefailed_to_read_carrier_eeprom _iefailed_to_read_power1_eeprom _iedsp_failed_to_initialise
-_iedsp_lost_user_data _iefailed_to_clear_all _iefailed_to_set_watchdog _ieeeprom_defaults_used
+numberof no _noaxes _egcontroller mintexecuting supportsmint nop tron troff _iefailed_to_read_carrier_eeprom
+_iefailed_to_read_power1_eeprom _iedsp_failed_to_initialise _iedsp_lost_user_data _iefailed_to_clear_all
+_iefailed_to_set_watchdog _ieeeprom_defaults_used
 """,
     "legacy": """
 err erl erraxis mode holdtoanalog bank contouron contouroff
-""",
-    "factory_defaults": """
-systemdefaults sdf factorydefaults fdf
-""",
-    "units": """
-posscalefactor velscalefactor accelscalefactor
 """,
     "constants": """
 _true _false _on _off _pi _maxint _minint _pmtrapezoidal _pmsramp _egall _egsynchronous _egaxis _egmisc
@@ -288,8 +228,30 @@ terminalxoff torquefilterband torquefilterdepth torquefilterfreq torquefiltertyp
 torquelimitpos torqueprovingmode torquereferrorfalltime triggercompensation usbdevicelist usbdriverversion
 usermotion userpositionunits usertimeunits variabledata velfatal velfatalmode velscaleunits velsetpointmax
 velsetpointmin vfboosttransitionmode vfdeadband vfdeadbandcentrefreq vfprofile vfslipcompensationmode
-vfthreepointfreq vfthreepointmode vfthreepointvolts voltagedemand zerospeeddeadband autotune autotuneabort
-clearerrorlog controllerreset processorreset knife movefiducial parametersave plcdefault plctask pushredirect
-popredirect sentinel binary view con prog new edit capturetrigger adcoffsettrim beepon beepoff servoc
+vfthreepointfreq vfthreepointmode vfthreepointvolts voltagedemand zerospeeddeadband presetmovetype
+presetmoveposition presetmovespeed presetaccel presetdecel presetjogspeed presetjogdirection
+presetmovehometype presetmoveparameter presetindex presetindexmode presetindexsource presetdwelltime
+presetselectorinput presetinputsmax presettriggerinput relay relayout relayoutx auxdac ad motorbrake
+motorbrakemode motorbrakeoutput motorbrakedelay cambox fastauxselect fastauxenable fastauxlatchedge
+fastauxlatchmode fastauxlatchdistance auxencoderzeroenable auxencoderzerolatchmode comparemode compareoutput
+comparepos compareenable remoteestop remoteinputactivelevel remoteoutputactivelevel errormask errormaskcode
+driveerror dre miscerror miscerrordisable presetinputstate motorbrakestatus fastauxlatch fastauxencoder
+encoderzlatch auxencoderzeroposition comparelatch busstate canbusstate remotecomms remotecommsinteger
+commsremote remoteencoder remoteobject remoteobjectfloat remoteobjectstring remotepdoin remotepdovalid
+asyncerrorpresent enableswitch drivefault posrolloverdemand posrollovertarget posrollovertargetlast
+presetmoveenable movecorrection timescale freq speedref sdr speedtestref velref posref speeddemand sdd
+torqueref tqr jogcommand jgc velscalefactor accelscalefactor drivespeedmax dsm speedrefenable speedrefsource
+speedrefacceltime speedrefdeceltime speedrefacceljerkstarttime speedrefacceljerkendtime
+speedrefdeceljerkstarttime speedrefdeceljerkendtime speedreferrordeceltime speedtestrefacceltime
+speedtestrefdeceltime torquerefenable torquerefsource torquerefrisetime torquereffalltime jogspeed jgs jogmode
+jogduration jogacceltimemax jogdeceltimemax speedmeasured sms speederror torquedemand effort currentmeas cms
+currentdemand jogtime feedrateparameter blendmode blenddistance vectorangle camphasestatus stepper steppervel
+stepperscale stepperwrap encodercount idlesettlingtime adcdeadband add adcdeadbandoffset adcmode am dprfloat
+dprlong holdingregister coil serialchar serialbufferusage fastlatchdistance latchinhibittime latchinhibitvalue
+phasesearchstatus averagevel oktoloadmove autotune autotuneabort clearerrorlog controllerreset processorreset
+knife movefiducial parametersave plcdefault plctask pushredirect popredirect sentinel binary view con prog new
+edit capturetrigger adcoffsettrim beepon beepoff datum eventpend eventunpend camboxdata busreset canbusreset
+nodescan remotereset remotepdoout blend camsegment camphase splinesegment serialclearreceivebuffer
+serialcleartransmitbuffer serialclearerror systemdefaults sdf factorydefaults fdf servoc
 """,
 }

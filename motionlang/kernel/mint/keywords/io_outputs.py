@@ -73,18 +73,15 @@ class Analogue:
     def __init__(self, environment: Environment) -> None:
         self._inputs = environment.controller.analogue_inputs
         self._settings: dict[tuple[str, int], float] = {}
-        # By channel: gain, offset, dead band, its middle, and the lowest value.
-        self._scales: dict[int, tuple[float, float, float, float, float]] = {}
 
     def setting(self, name: str, channel: int) -> float:
         return self._settings.get((name, channel), ANALOGUE[name])
 
     def set(self, name: str, channel: int, value: float) -> None:
         self._settings[name, channel] = value
-        self._scales.clear()
 
     def read(self, channel: int) -> float:
-        """Return an input in percent, after gain, offset, dead band and range limits."""
+        """Return an input in percent, after gain, offset and range limits."""
         return self.shown(channel, float(self._inputs[channel]))
 
     def until(self, channel: int, level: float | None = None) -> float:
@@ -94,21 +91,10 @@ class Analogue:
 
     def shown(self, channel: int, level: float) -> float:
         """Return the value that a level of the input would give, like `read`."""
-        gain, offset, dead_band, middle, lowest = self._scales.get(channel) or self._scale(channel)
-        value = level * gain / 100.0 + offset
-        if dead_band and abs(value - middle) < dead_band:
-            value = middle
-        return value if lowest < value < HIGHEST else max(lowest, min(HIGHEST, value))
-
-    def range(self, channel: int) -> tuple[float, float]:
-        """Return the lowest and the highest value of an input in percent."""
-        return (0.0 if self.setting("ADCMODE", channel) else -HIGHEST), HIGHEST
-
-    def _scale(self, channel: int) -> tuple[float, float, float, float, float]:
-        names = "ADCGAIN", "ADCOFFSET", "ADCDEADBAND", "ADCDEADBANDOFFSET"
-        gain, offset, dead_band, middle = (self.setting(name, channel) for name in names)
-        found = self._scales[channel] = gain, offset, dead_band, middle, self.range(channel)[0]
-        return found
+        value = level
+        if self._settings:
+            value = level * self.setting("ADCGAIN", channel) / 100.0 + self.setting("ADCOFFSET", channel)
+        return value if -HIGHEST < value < HIGHEST else max(-HIGHEST, min(HIGHEST, value))
 
 
 def read_adc(environment: Environment, row: Keyword) -> Operation:
@@ -137,13 +123,18 @@ def analogue_output(channel: int) -> int:
 
 
 def write_adc_setting(analogue: Analogue, row: Keyword, channel: int, value: float) -> None:
-    """ADCGAIN, ADCOFFSET and the like in percent, and ADCMODE: write a setting."""
+    """ADCGAIN and ADCOFFSET: write a setting in percent."""
     analogue.set(row.name, analogue_input(channel), value)
 
 
 def write_dac(environment: Environment, channel: int, value: float) -> None:
     """DAC: set an analogue output in percent."""
     environment.controller.set_analogue_output(analogue_output(channel), value)
+
+
+def write_pulse(environment: Environment, channel: int, milliseconds: float) -> None:
+    """PULSEOUTX: turn an output on for a time in ms."""
+    environment.controller.pulse(checked(channel, LAST_CHANNEL, "output"), milliseconds / 1000.0)
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -162,10 +153,9 @@ _DAC = Actions(
 )
 
 
-def _adc(name: str, short: str, help: str, low: float, high: float, unit: str = "%") -> Keyword:
-    value = "1" if unit == "integer" else "50"
-    return Keyword(name, short, "setting", "RW", "channel", unit, _ADC_SETTING, help,
-                   f"{name}(0) = {value}\nPRINT {name}(0)", default=ANALOGUE[name], low=low, high=high,
+def _adc(name: str, short: str, help: str, most: float) -> Keyword:
+    return Keyword(name, short, "setting", "RW", "channel", "%", _ADC_SETTING, help,
+                   f"{name}(0) = 50\nPRINT {name}(0)", default=ANALOGUE[name], low=-most, high=most,
                    group="io")  # fmt: skip
 
 
@@ -176,17 +166,18 @@ ROWS = (
     Keyword("OUTX", "otx", "setting", "RW", "output", "bool", Actions(read=read_bit, write=write_bit),
             "One digital output: 1 is on.",
             "OUTX(2) = _ON\nPRINT OUTX(2)", default=0.0, group="io", meant="DOUT SETOUT"),
+    Keyword("PULSEOUTX", "", "setting", "W", "channel", "ms", Actions(write=of(Environment, write_pulse)),
+            "Turn an output on for some milliseconds, from now on; the program goes on meanwhile.",
+            "PULSEOUTX(3) = 50\nPRINT OUTX(3)\nWAIT = 50\nPRINT OUTX(3)", low=0, high=2147483647.0, group="io",
+            channel="output"),
     Keyword("OUTPUTACTIVELEVEL", "oal", "setting", "RW", "bank", "bits", _ACTIVE_LEVEL,
             "Bit pattern of the outputs whose level is high while they are on; inputs wired to them see the level.",
             "OUTPUTACTIVELEVEL(0) = 0xFFFE\nPRINT OUTPUTACTIVELEVEL(0)", default=-1.0, group="io"),
     Keyword("ADC", "", "reading", "R", "channel", "%", _ADC,
-            "An analogue input in percent of its range, after gain, offset and dead band.",
+            "An analogue input in percent of its range, after gain and offset.",
             "PRINT ADC(0)", default=0.0, group="io", driven="analogue", solved=True, meant="AIN"),
-    _adc("ADCGAIN", "ag", "Gain of an analogue input in percent.", -10000.0, 10000.0),
-    _adc("ADCOFFSET", "ao", "Offset added to an analogue input, in percent of its range.", -100.0, 100.0),
-    _adc("ADCDEADBAND", "add", "An analogue input this near to ADCDEADBANDOFFSET reads as that.", 0.0, 100.0),
-    _adc("ADCDEADBANDOFFSET", "", "The middle of the dead band of an analogue input.", -100.0, 100.0),
-    _adc("ADCMODE", "am", "Range of an analogue input: 0 both signs, -100 to 100; 1 positive only.", 0, 1, "integer"),
+    _adc("ADCGAIN", "ag", "Gain of an analogue input in percent.", 10000.0),
+    _adc("ADCOFFSET", "ao", "Offset added to an analogue input, in percent of its range.", 100.0),
     Keyword("DAC", "", "setting", "RW", "channel", "%", _DAC,
             "An analogue output in percent of its range.",
             "DAC(0) = 25.5\nPRINT DAC(0)", default=0.0, low=-100.0, high=100.0, group="io", meant="AOUT",

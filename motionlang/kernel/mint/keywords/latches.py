@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import partial
 
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
-from motionlang.kernel.controller.scale import Scale
 from motionlang.kernel.controller.triggers.homing import next_index
-from motionlang.kernel.controller.watch import Watch
+from motionlang.kernel.controller.watch import Watch, begin, end
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.lang.wait_causes import Read
 from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
@@ -39,17 +39,16 @@ class Latch:
         self.axis = axis
         self.trigger_mode, self.input, self.again = BY_INPUT, 0, 0
         self.edge, self.source = RISING, AXIS_POSITION
-        self.inhibit_time, self.inhibit_distance = 0.0, 0.0
         self.armed = self.caught = False
         self.value = 0.0
-        self._time = -INFINITY
         # The watches of the nearest index marks, by their positions.
         self._watches: dict[float, Watch] = {}
         self._controller.inputs.listeners.append(self._changed)
 
     @property
-    def scale(self) -> Scale:
-        return scale_of(self.environment, self.axis)
+    def track(self) -> Axis:
+        """The axis, or the encoder, whose index marks trigger the latch."""
+        return self._controller.axes[self.axis]
 
     def arm(self, armed: bool) -> None:
         """Arm the latch and clear its captured value, or disarm it."""
@@ -79,24 +78,24 @@ class Latch:
         if self.trigger_mode != BY_INDEX:
             return
         for direction in (1, -1):
-            self._watch_mark(next_index(self._controller.axes[self.axis], direction))
+            self._watch_mark(next_index(self.track, direction))
 
     def _watch_mark(self, mark: float) -> None:
         if abs(mark) < INFINITY:
-            on_mark = partial(self._mark, mark)
-            self._watches[mark] = self._controller.watch(self.axis, mark, on_mark, physical=True)
+            watch = self._watches[mark] = Watch(mark, partial(self._mark, mark), physical=True)
+            begin(self.track, watch)
 
     def _unwatch(self, kept: float | None = None) -> None:
         """Stop watching all marks, except the one at `kept`."""
         for mark in [each for each in self._watches if each != kept]:
-            self._controller.unwatch(self.axis, self._watches.pop(mark))
+            end(self.track, self._watches.pop(mark))
 
     def _mark(self, mark: float, direction: int) -> None:
         """Catch a mark; the axis passes it again if it comes back, or then the next one."""
         self._unwatch(kept=mark)
         self._catch()
         if self.armed:
-            self._watch_mark(next_index(self._controller.axes[self.axis], direction))
+            self._watch_mark(next_index(self.track, direction))
         else:
             self._unwatch()
 
@@ -108,18 +107,14 @@ class Latch:
             self._catch()
 
     def _catch(self) -> None:
-        now, position = self._controller.clock.now, self._position()
-        near = abs(position - self.value) < self.inhibit_distance and self._time > -INFINITY
-        if near or now - self._time < self.inhibit_time / 1000.0:
-            return
-        self.value, self._time, self.caught = position, now, True
+        self.value, self.caught = self._position(), True
         self.armed = bool(self.again)
         self._fired(self)
 
     def _position(self) -> float:
         """Return the position to capture: the axis position or its encoder count."""
-        position = self._controller.position(self.axis)
-        return position - self._controller.axes[self.axis].datum if self.source == ENCODER else position
+        position = self.track.actual_position
+        return position - self.track.datum if self.source == ENCODER else position
 
 
 class Latches:
@@ -174,17 +169,14 @@ def triggers(environment: Environment, numbers: Sequence[int]) -> tuple[frozense
 # ----------------------------------------------------------------------------------------------- operations
 
 
-def read_setting(latch: Latch, row: Keyword) -> float:
-    """Read a setting of a latch: positions in user units of its axis, times in ms."""
-    value: float = getattr(latch, row.attribute)
-    return latch.scale.to_user(value) if row.unit == "uu" else int(value)
+def read_setting(latch: Latch, row: Keyword) -> int:
+    return int(getattr(latch, row.attribute))
 
 
 def write_setting(latch: Latch, row: Keyword, value: float) -> None:
-    """Write a setting of a latch: positions in user units of its axis, times in ms."""
     if row.attribute == "axis":
         axis_of(latch.environment, int(value))
-    latch.set(row.attribute, latch.scale.to_counts(value) if row.unit == "uu" else value)
+    latch.set(row.attribute, value)
 
 
 def read_value(latch: Latch, row: Keyword) -> float:
@@ -241,11 +233,9 @@ def _setting(
                    group="latches", selects=selects)  # fmt: skip
 
 
-def reading_row(
-    name: str, index: str, unit: str, actions: Actions, help: str, example: str, short: str = ""
-) -> Keyword:
+def reading_row(name: str, index: str, unit: str, actions: Actions, help: str, example: str) -> Keyword:
     """Return the row of what a latch has caught; `example` has {} for the keyword."""
-    return Keyword(name, short, "reading", "R", index, unit, actions, help, example.format(name), default=0.0,
+    return Keyword(name, "", "reading", "R", index, unit, actions, help, example.format(name), default=0.0,
                    group="latches")  # fmt: skip
 
 
@@ -262,10 +252,6 @@ ROWS = (
     _setting("LATCHSOURCECHANNEL", "axis", "latch", "integer", "1", "The axis whose position a latch catches.", 63),
     _setting("LATCHMODE", "again", "latch", "integer", "1",
              "0: a latch catches once and must be enabled again; 1: it stays enabled, and reading LATCH resets it.", 1),
-    _setting("LATCHINHIBITTIME", "inhibit_time", "latch", "ms", "20",
-             "Time after an edge in which a latch ignores further edges.", 2147483647),
-    _setting("LATCHINHIBITVALUE", "inhibit_distance", "latch", "uu", "5",
-             "Distance from the last latched position within which edges are ignored.", 8388607.0),
     Keyword("LATCHENABLE", "", "setting", "RW", "latch", "bool", _ENABLE,
             "Arm a latch; it forgets what it had caught.",
             _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
@@ -278,8 +264,6 @@ ROWS = (
     _setting("FASTLATCHEDGE", "edge", "axis", "bool", "1",
              "0: the input triggers when it becomes active; 1: inactive.", 1),
     _setting("FASTLATCHMODE", "again", "axis", "integer", "1", "0: the fast latch catches once; 1: it stays armed.", 1),
-    _setting("FASTLATCHDISTANCE", "inhibit_distance", "axis", "uu", "5",
-             "Distance from the last latched position within which edges are ignored.", 8388607.0),
     reading_row("FASTLATCH", "axis", "bool", _CAUGHT, "1 when the fast latch of the axis has caught.", _FAST),
     reading_row("FASTPOS", "axis", "number", _VALUE, "The position that the fast latch has caught.", _FAST),
     reading_row("FASTENCODER", "axis", "number", Actions(read=on_latch(read_encoder)),

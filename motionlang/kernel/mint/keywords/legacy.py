@@ -8,7 +8,6 @@ from __future__ import annotations
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword
 from motionlang.kernel.mint.keywords.hold_to_analogue import HOLD
 from motionlang.kernel.mint.keywords.io_inputs import LAST_CHANNEL, checked
-from motionlang.kernel.mint.keywords.paths import set_mode
 from motionlang.kernel.mint.keywords.sensing import AXIS_MODE
 from motionlang.kernel.mint.runtime.binding import axis_of, of, of_word
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -36,7 +35,7 @@ def read_axis(errors: Errors) -> int:
 def do_contour(environment: Environment, row: Keyword, axes: tuple[int, ...], line: int) -> None:
     """CONTOURON and CONTOUROFF: switch contour mode."""
     for axis in axes:
-        set_mode(environment, "CONTOURMODE", axis_of(environment, axis), row.name.endswith("ON"))
+        environment.controller.configure(axis_of(environment, axis), "contour_mode", row.name.endswith("ON"))
 
 
 class DefaultBank:

@@ -1,4 +1,4 @@
-"""Modbus: the program as a client of servers, and the controller's own server.
+"""Modbus: the program as a client of servers.
 
 The machine file defines the servers. A register is a word of 16 bits. An Integer or a Float takes two
 registers, the lower half first, as in Mint's own server (ABB AN00198 p. 5). Requests take no time.
@@ -12,7 +12,6 @@ from math import inf
 from struct import pack, unpack
 
 from motionlang.kernel.controller.io.asking import AskedRule, Responder
-from motionlang.kernel.controller.io.channels import Channels
 from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
@@ -198,80 +197,12 @@ def writes(width: str) -> Maker:
     return repeatable(of(Servers, write))
 
 
-def _own(environment: Environment, register: int) -> tuple[str, int]:
-    """Return the area and element of a register in the controller's own server."""
-    host = environment.machine.host
-    if not host.has_registers(host.mapping, register, 1):
-        raise Rejected(
-            "channel", f"there is no register {register}", "element n is the registers 2n and 2n + 1"
-        )
-    return host.mapping, register >> 1
-
-
-def read_own_register(environment: Environment, register: int) -> int:
-    """HOLDINGREGISTER: return half an element of the host memory as 0 to 65535."""
-    area, element = _own(environment, register)
-    return environment.machine.host.integer(area, element) >> 16 * (register & 1) & LAST
-
-
-def write_own_register(environment: Environment, register: int, value: int) -> None:
-    """HOLDINGREGISTER: write a register of the controller's own server.
-
-    No event is raised.
-    """
-    host, (area, element) = environment.machine.host, _own(environment, register)
-    halves = [host.integer(area, element) >> shift & LAST for shift in (0, 16)]
-    halves[register & 1] = value & LAST
-    host.set_integer(area, element, unpack("<i", pack("<HH", *halves))[0])
-
-
-class Coils:
-    """The coils of the controller's own server.
-
-    The machine file's client changes them at scheduled times.
-    """
-
-    def __init__(self, environment: Environment) -> None:
-        self._controller = environment.controller
-        self.values = Channels(environment.clock, table="coil")
-        self._controller.reads.join(self.values)
-        for entry in environment.machine.settings.get("coil", ()):  # type: ignore[attr-defined]
-            self._schedule(entry)
-        environment.machine.receivers["coil"] = self._schedule
-
-    def _schedule(self, entry: Entry, since: float = 0.0) -> None:
-        """Schedule a `[[coil]]` of the machine file; its times count from `since`."""
-        coil: int = entry["coil"]  # type: ignore[assignment]
-        put, on = partial(self.values.__setitem__, coil), int(entry.get("value", 1) != 0)
-        if "asked" in entry:
-            self._controller.answering().add_channel("coil", self.values, entry, since, on)
-            return
-        self._controller.stimuli.add_pulse("coil", entry, put, on, since=since)
-
-    def checked(self, coil: int) -> int:
-        if not 0 <= coil <= LAST:
-            raise Rejected("channel", f"there is no coil {coil}", f"they are numbered 0 to {LAST}")
-        return coil
-
-
-def write_coil(coils: Coils, coil: int, value: int) -> None:
-    """COIL: set a coil."""
-    coils.values[coils.checked(coil)] = int(value != 0)
-
-
 # ------------------------------------------------------------------------------------------------- keywords
 
 # MODBUSTCP16: one register of a server. The other keywords use two.
 _WORD = Actions(read=of(Servers, read_word), write=writes("word"))
 _WHOLE = Actions(read=unpacked("<i"), write=writes("integer"))
 _REAL = Actions(read=unpacked("<f"), write=writes("float"))
-_OWN_REGISTER = Actions(
-    read=of(Environment, read_own_register), write=repeatable(of(Environment, write_own_register))
-)
-_COIL = Actions(
-    read=of(Coils, lambda coils, coil: int(coils.values[coils.checked(coil)])),
-    write=repeatable(of(Coils, write_coil)),
-)
 
 _CLIENT = (
     ("MODBUSTCP16", "integer", _WORD, -32768, 65535, "1234",
@@ -289,11 +220,4 @@ ROWS = (
                 f"{name}(4, 6) = {value}\nPRINT {name}(4, 6)", default=0.0, low=low, high=high, group="comms")
         for name, unit, actions, low, high, value, help in _CLIENT
     ),
-    Keyword("HOLDINGREGISTER", "", "setting", "RW", "register", "integer", _OWN_REGISTER,
-            "A register of the controller's own Modbus server, 0 to 65535: one half of an element of what clients see.",
-            "NETINTEGER(3) = 0x10002\nPRINT HOLDINGREGISTER(6), \" \", HOLDINGREGISTER(7)",
-            default=0.0, low=-32768, high=65535, group="comms"),
-    Keyword("COIL", "", "setting", "RW", "coil", "bool", _COIL,
-            "A coil of the controller's own Modbus server; a client, which is the machine file, writes it too.",
-            "COIL(3) = _TRUE\nPRINT COIL(3)", default=0.0, group="comms"),
 )  # fmt: skip

@@ -7,8 +7,7 @@ from collections.abc import Callable, Sequence
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.motion import refuse_stopping
-from motionlang.kernel.mint.runtime.binding import Maker, Operation, axis_of, of, of_word, on_axes, scale_of
-from motionlang.kernel.mint.runtime.changes import moving, repeatable
+from motionlang.kernel.mint.runtime.binding import Maker, Operation, scale_of
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.tools import count_of
 
@@ -90,28 +89,6 @@ def _in_counts(
     return [scale.to_counts(value) for scale, value in zip(scales, values, strict=True)]
 
 
-_MODES = {"CONTOURMODE": "contour_mode", "BLENDMODE": "blend_mode"}
-
-
-def set_mode(environment: Environment, name: str, axis: int, on: bool) -> None:
-    """Switch contouring or blending on or off.
-
-    Raises Rejected (Mint's error 158) if the other mode is on.
-    """
-    controller, other = environment.controller, next(each for each in _MODES if each != name)
-    if on and controller.setting(axis, _MODES[other]):
-        raise Rejected("contour-and-blend", f"{name} cannot be set while {other} is",
-                      f"write {other}({axis}) = 0 first")  # fmt: skip
-    controller.configure(axis, _MODES[name], on)
-
-
-def read_angle(environment: Environment, x: int, y: int) -> float:
-    return environment.controller.vector_angle(x, axis_of(environment, y))
-
-
-_MODE = repeatable(of_word(Environment, lambda e, row, axis, mode: set_mode(e, row.name, axis, bool(mode))))
-
-
 # ------------------------------------------------------------------------------------------------- keywords
 
 _LINE = Actions(load=loads(put_line))
@@ -156,28 +133,13 @@ ROWS = (
     _path("HELIXR", "uu, uu, degrees, uu",
           f"Load a helix of three axes: centre counted from its start, angle, and the third axis's distance; {_RULE}.",
           "HELIXR(0, 1, 2) = 50, 0, 720, 20"),
-    _setting("CONTOURMODE", "integer", Actions("contour_mode", write=_MODE),
+    _setting("CONTOURMODE", "integer", "contour_mode",
              "1: paths of the same axes are run through without slowing down, where their directions differ by no more "
              "than CONTOURANGLE.", "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n" + _TWO, 1),
     _setting("CONTOURANGLE", "number", "contour_angle",
              "Degrees by which the direction may change between two paths that are run through.",
              "CONTOURMODE(0) = 1 : CONTOURANGLE(0) = 90\n" + _TWO, 180),
-    _setting("BLENDMODE", "integer", Actions("blend_mode", write=_MODE),
-             "1: a path begins when BLENDDISTANCE is left of the one before it, on top of the rest of that one.",
-             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, 1),
-    _setting("BLENDDISTANCE", "number", "blend_distance",
-             "Remaining length of a path when the next one begins, in user units; at most half of the "
-             "path.",
-             "BLENDMODE(0) = 1 : BLENDDISTANCE(0) = 5\n" + _TWO, _MAX_VALUE, topic="speed"),
-    Keyword("BLEND", "", "command", "C", "axes", "", Actions(do=on_axes(lambda e, axis: e.controller.blend(axis))),
-            "Begin the next path now, on top of what remains of the present one; at most two paths overlap.",
-            _READY + "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE POS(0) > 50\nBLEND(0)\n"
-            "PAUSE IDLE(0)\nPRINT POS(1)", group="motion"),
     Keyword("VELDEMANDPATH", "", "reading", "R", "axis", "number", "path_speed",
             "Speed along the path that the axis is on, in user units a second.",
             _READY + "VECTORR(0, 1) = 30, 40\nGO(0)\nWAIT = 200\nPRINT VELDEMANDPATH(0)", default=0.0, group="paths"),
-    Keyword("VECTORANGLE", "", "reading", "R", "axis, axis", "number",
-            Actions(read=moving(of(Environment, read_angle))),
-            "The direction, in degrees, in which two axes move in their plane; 0 at rest.",
-            _READY + "VECTORR(0, 1) = 30, 30\nGO(0)\nWAIT = 100\nPRINT VECTORANGLE(0, 1)", default=0.0, group="paths"),
 )  # fmt: skip

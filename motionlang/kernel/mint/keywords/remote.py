@@ -7,7 +7,6 @@ from functools import partial
 from typing import Any
 
 from motionlang.kernel.controller.io.channels import Channels
-from motionlang.kernel.controller.io.host_memory import HostMemory
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import BANK, Actions, Keyword, kind_of
 from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
@@ -15,15 +14,12 @@ from motionlang.kernel.mint.keywords.io_inputs import bits_of, checked
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
-from motionlang.kernel.tools import signed
 
 Entry = Mapping[str, Any]
 
 
 # Powerlink numbers its nodes beyond CAN's 127: its manager is 240.
 LAST_BUS, LAST_NODE, LAST_CHANNEL = NUMBERS["bus"][-1], 255, 255
-# Inputs first, then the channels that the program sets.
-KINDS = ("inputs", "analogue_inputs", "outputs", "analogue_outputs")
 # The names in the report of the channels that the program sets.
 _WRITTEN = {"outputs": "output", "analogue_outputs": "analogue-output"}
 # Maximum number of unread events of a bus. The oldest is dropped first.
@@ -41,7 +37,7 @@ NODE_CODES = {"dead": 5, "live": 6, "emergency": 11}
 
 
 class RemoteBus:
-    """One bus: its `state`, its unread events, and its last process data.
+    """One bus: its `state` and its unread events.
 
     `taken` is the last event read: its code and its info.
     """
@@ -51,7 +47,6 @@ class RemoteBus:
         self.state = OPERATIONAL
         self.queue: list[tuple[int, int]] = []
         self.taken = 0, 0
-        self.process_data: dict[tuple[int, int], int] = {}
 
     def add_event(self, code: int, info: int = 0) -> None:
         """Add an event, which BUSEVENT will return."""
@@ -65,28 +60,13 @@ class RemoteBus:
         self.taken = self.queue.pop(0) if self.queue else (0, 0)
         return self.taken[0]
 
-    def reset(self) -> None:
-        self.queue.clear()
-        self.add_event(OPERATIONAL)
-
 
 class BusNode:
-    """The data of one node except its channels.
-
-    `written` holds the values that the program has written to it, by kind and number.
-    """
+    """The data of one node except its channels."""
 
     def __init__(self) -> None:
         self.live = True
         self.mode = 0
-        self.memory = HostMemory()
-        self.encoders: dict[int, int] = {}
-        self.objects: dict[tuple[int, int], float | str] = {}
-        self.written: dict[tuple[str | int, ...], float | str] = {}
-
-    def write_object(self, where: tuple[int, int], value: float | str) -> None:
-        self.objects[where] = value
-        self.written["object", *where] = value
 
 
 class Nodes:
@@ -109,10 +89,6 @@ class Nodes:
             self._wire(entry)
         for entry in settings.get("bus", ()):  # type: ignore[attr-defined]
             self._at(entry, partial(self.bus(entry.get("bus", 1)).add_event, BUS_CODES[entry["event"]]))
-        for entry in settings.get("pdo", ()):  # type: ignore[attr-defined]
-            item = entry["cobid"], entry.get("bank", 0)
-            put = self.bus(entry.get("bus", 1)).process_data.__setitem__
-            self._at(entry, partial(put, item, signed(int(entry["value"]))))
         environment.machine.written.append(self.written)
 
     def bus(self, bus: int) -> RemoteBus:
@@ -151,27 +127,16 @@ class Nodes:
             self._channels[key] = Channels(self._clock)
         return self._channels[key]
 
-    def scan(self, bus: int, node: int) -> None:
-        """NODESCAN: raise an event that reports whether the node is alive."""
-        checked(node, LAST_NODE, "node")
-        self.bus(bus).add_event(NODE_CODES["live" if self.answers(bus, node) else "dead"], node)
-
-    def reset(self, bus: int, node: int) -> None:
-        """REMOTERESET: reset a node."""
-        self.node(bus, node)
-        for kind in KINDS[2:]:
-            self._put_into(bus, node, kind).clear()
-        self.bus(bus).add_event(NODE_CODES["live"], node)
-
     def written(self) -> list[dict[str, object]]:
         """Return the values that the program has written to nodes, as report rows."""
         rows: list[dict[str, object]] = []
         for (bus, node, kind), channels in sorted(self._channels.items()):
             what = _WRITTEN.get(kind)
             touched = channels.touched if what else ()
-            rows += [_row(bus, node, (str(what), each), channels[each]) for each in touched]
-        for (bus, node), found in sorted(self._nodes.items()):
-            rows += [_row(bus, node, item, value) for item, value in sorted(found.written.items())]
+            rows += [
+                {"bus": bus, "node": node, "kind": what, "number": each, "value": channels[each]}
+                for each in touched
+            ]
         return rows
 
     # ---------------------------------------------------------------------------------------- the machine file
@@ -193,16 +158,8 @@ class Nodes:
 
     def _wire(self, entry: Entry) -> None:
         bus, node, value = entry.get("bus", 1), entry["node"], entry.get("value", 1)
-        found = self._nodes[bus, node]
         if "event" in entry:
             self._at(entry, partial(self._become, bus, node, entry["event"]))
-        elif "encoder" in entry:
-            self._at(entry, partial(found.encoders.__setitem__, entry["encoder"], int(value)))
-        elif "element" in entry:
-            self._at(entry, partial(found.memory.set_real, "comms", entry["element"], float(value)))
-        elif "object" in entry:
-            item = entry["object"], entry.get("sub", 0)
-            self._at(entry, partial(found.objects.__setitem__, item, value))
         else:
             self._wire_input(entry, bus, node, value)
 
@@ -221,19 +178,6 @@ class Nodes:
         if event != "emergency":
             self._nodes[bus, node].live = event == "live"
         self.bus(bus).add_event(NODE_CODES[event], node)
-
-
-def _row(bus: int, node: int, item: tuple[str | int, ...], value: float | str) -> dict[str, object]:
-    """Return a report row for one item of a node.
-
-    `item` is "estop", "output" and a number, or "object" with its index and sub-index.
-    """
-    return {
-        "bus": bus,
-        "node": node,
-        **dict(zip(("kind", "number", "subindex"), item, strict=False)),
-        "value": value,
-    }
 
 
 def checked_bus(bus: int) -> int:

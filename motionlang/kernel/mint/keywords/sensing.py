@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 # choice.
 KINDS: dict[int, tuple[str, ...]] = {
     1: ("MOVEA", "MOVER", "INCA", "INCR", "MOVEDWELL"),
-    2: ("JOG", "JOGCOMMAND", "FREQ"),
-    4: ("HOME", "DATUM"),
+    2: ("JOG",),
+    4: ("HOME",),
     8: ("VECTORA", "VECTORR", "CIRCLEA", "CIRCLER", "HELIXA", "HELIXR"),
     16: ("FOLLOW",),
     32: ("CAM",),
@@ -60,11 +60,15 @@ def read_acceleration(environment: Environment, axis: int) -> float:
     return a.scale.to_user(a.at(environment.clock.now).acceleration, "uu/s2")
 
 
-def _shown(environment: Environment, axis: int, target: float) -> float:
-    """Return a target in user units within POSWRAP; without one, the position.
+def read_velocity_error(environment: Environment, axis: int) -> float:
+    """VELERROR: return the demanded minus the measured velocity in user units per second."""
+    controller = environment.controller
+    error = controller.demand_velocity(axis) - controller.velocity(axis)
+    return controller.axes[axis].scale.to_user(error, "uu/s")
 
-    POSROLLOVERTARGET returns the number of its wraps.
-    """
+
+def _shown(environment: Environment, axis: int, target: float) -> float:
+    """Return a target in user units within POSWRAP; without one, the position."""
     counts = target if abs(target) < ENDLESS else environment.controller.position(axis)
     return scale_of(environment, axis).shown_position(counts)
 
@@ -119,18 +123,6 @@ class IdleWindows(StoredSettings):
             return False
         # The same sum as in the scheduled event. A difference could be too small by rounding.
         return controller.clock.now >= self._since.get(axis, -1e300) + self.setting("IDLETIME", axis) / 1000.0
-
-    def settling_time(self, axis: int) -> int:
-        """Return the ms from the end of the move to IDLE.
-
-        This is the settling time of a simulated motor plus IDLETIME.
-        """
-        if not self.setting("IDLEMODE", axis):
-            return 0
-        late = 0.0
-        if self.controller.has_motor(axis) and axis in self._since:
-            late = min(max(self.controller.settled_since(axis) - self._since[axis], 0.0), 1e6)
-        return round(late * 1000.0) + int(self.setting("IDLETIME", axis))
 
     def _on_event(self, what: str, axis: int) -> None:
         """Schedule the check of IDLE for IDLETIME after the end of a move."""
@@ -259,7 +251,7 @@ def read_speed(encoders: Encoders, channel: int) -> float:
 
 def _name(row: Keyword) -> str:
     """Return the axis encoder keyword that corresponds to a keyword of any family."""
-    return row.name.removeprefix("AUX").replace("STEPPER", "ENCODER")
+    return row.name.removeprefix("AUX")
 
 
 def read_setting(encoders: Encoders, row: Keyword, channel: int) -> float:
@@ -319,11 +311,6 @@ def _target(end: Callable[[Axis], float]) -> Maker:
 _TARGET = Actions(read=_target(lambda a: a.target))
 _LAST_TARGET = Actions(read=_target(buffer.end))
 _WINDOW = Actions(read=setting_reader(IdleWindows), write=repeatable(setting_writer(IdleWindows)))
-_ENCODER_COUNT = Actions(
-    read=moving(
-        of(Encoders, lambda encoders, channel: floor(encoders.counts(encoders.checked(channel)) + 0.5))
-    )
-)
 _ENCODER_SETTING = Actions(read=of_word(Encoders, read_setting), write=of_word(Encoders, write_setting))
 _WRAP = Actions(
     read=of(Environment, lambda e, axis: scale_of(e, axis).wrap), write=of(Environment, write_wrap)
@@ -363,6 +350,8 @@ ROWS = (
              changes="motion", solved=True),
     _reading("ACCELDEMAND", "", "uu/s2", Actions(read=moving(of(Environment, read_acceleration))),
              "The acceleration that the profiler demands."),
+    _reading("VELERROR", "", "uu/s", Actions(read=moving(of(Environment, read_velocity_error))),
+             "Demanded minus measured velocity."),
     _reading("POSTARGET", "", "uu", _TARGET, "End position of the move in progress."),
     _reading("POSTARGETLAST", "", "uu", _LAST_TARGET, "End position of the last move in the buffer."),
     _reading("POSACHIEVED", "", "bool", IS_IDLE, "1 when the axis has come to the end of its moves, as IDLE is."),
@@ -373,8 +362,6 @@ ROWS = (
     _window("IDLEVEL", "uu/s", "Speed up to which an axis counts as idle.", 8388607.0),
     _window("IDLETIME", "integer", "Milliseconds that an axis must be inside its windows to be idle.",
             60000),
-    _reading("IDLESETTLINGTIME", "", "integer", Actions(read=of(IdleWindows, IdleWindows.settling_time)),
-             "Milliseconds from the end of the move until the axis was idle."),
     Keyword("SYSTEMSECONDS", "", "reading", "R", "none", "number",
             Actions(read=always(of(Environment, lambda e: float(e.clock.now)))),
             "Seconds since power-up.", "PRINT SYSTEMSECONDS", default=0.0, group="control"),
@@ -385,9 +372,6 @@ ROWS = (
     Keyword("ENCODERVEL", "", "reading", "R", "channel", "number", Actions(read=moving(of(Encoders, read_speed))),
             "Speed of an encoder, in units of ENCODERSCALE a second.",
             "JOG(0) = 100\nWAIT = 10\nPRINT ENCODERVEL(0)\nCANCEL(0)", default=0.0, group="encoders"),
-    Keyword("ENCODERCOUNT", "", "reading", "R", "channel", "integer", _ENCODER_COUNT,
-            "Counts of the encoder of an axis since power-up.",
-            "PRINT ENCODERCOUNT(0)", default=0.0, group="encoders"),
     _encoder("ENCODERSCALE", "number", "Counts of an encoder in one of its units.", 1e-6, 1.0),
     _encoder("ENCODERPRESCALE", "integer", "Prescaler of an encoder: its counts are divided by this.", 1, 1.0),
     _encoder("ENCODERWRAP", "number", "The range in which ENCODER counts, from 0 on; 0 for no end.", 0, 0.0),

@@ -10,7 +10,6 @@ from math import inf
 
 from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.defaults import FATAL_ERROR, GAINS, LOOP_TIME, PERIOD
-from motionlang.kernel.mint.keywords.torque import TorqueReferences
 from motionlang.kernel.mint.runtime.binding import of, of_word
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -26,10 +25,6 @@ class LoopSettings:
         self.environment = environment
         self.fatal: dict[int, float] = {}
         self.torque: dict[int, float] = {}
-
-    @property
-    def references(self) -> TorqueReferences:
-        return self.environment.component(TorqueReferences)
 
     def default(self, axis: int) -> None:
         """Reset the axis to its defaults (DEFAULT)."""
@@ -94,17 +89,12 @@ def write_fatal_error(loops: LoopSettings, row: Keyword, axis: int, value: float
 
 
 def read_torque(loops: LoopSettings, axis: int) -> float:
-    """TORQUE: return the output in percent of full scale.
-
-    The value is 0 while the loop is closed or TORQUEREF controls the output.
-    """
-    in_force = loops.environment.controller.is_open(axis) and not loops.references.has(axis)
-    return loops.torque.get(axis, 0.0) if in_force else 0.0
+    """TORQUE: return the output in percent of full scale, 0 while the loop is closed."""
+    return loops.torque.get(axis, 0.0) if loops.environment.controller.is_open(axis) else 0.0
 
 
 def write_torque(loops: LoopSettings, axis: int, value: float) -> None:
     """TORQUE: open the loop and output a percentage of full scale."""
-    loops.references.end(axis)
     loops.environment.controller.open_loop(axis, value * _PERCENT)
     loops.torque[axis] = value
 

@@ -21,9 +21,9 @@ OTHERS = {
 }
 # Settings that determine the values of other settings. Their defaults follow from the assumptions about the
 # others.
-DECISIVE = frozenset({"TIMESCALE", "VELSCALEFACTOR", "ACCELSCALEFACTOR", "SRAMP", "POSROLLOVER"})
-# Further names of settings, whose defaults are those of their first names: FEEDRATE is SPEED.
-SYNONYMS = frozenset({"FEEDRATE"})
+DECISIVE = frozenset({"SRAMP", "POSROLLOVER"})
+# Further names of settings, whose defaults are those of their first names.
+SYNONYMS = frozenset({"FEEDRATE", "POSSCALEFACTOR"})
 
 
 class AssumptionSwitches(Mapping[str, Switch]):

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ceil
-from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.readers import Level
@@ -17,12 +16,8 @@ from motionlang.kernel.lang.keyword import Actions, Keyword
 from motionlang.kernel.mint.keywords.buffer import loads
 from motionlang.kernel.mint.keywords.following_masters import MASTER_SETTING, Masters, distance
 from motionlang.kernel.mint.runtime.binding import Operation, check, of, of_word
-from motionlang.kernel.mint.runtime.changes import moving, with_dependency
+from motionlang.kernel.mint.runtime.changes import with_dependency
 from motionlang.kernel.mint.runtime.environment import Environment
-from motionlang.kernel.tools import total
-
-if TYPE_CHECKING:
-    from motionlang.kernel.mint.keywords.table_motion_splines import Splines
 
 Array = list[float]
 
@@ -59,40 +54,26 @@ def span(first: float, last: float, count: int, word: str) -> tuple[int, int]:
     return int(first) - 1, end
 
 
-class CamPhase:
-    """CAMPHASE: extra travel `delta` of the master over some segments in one cycle."""
-
-    def __init__(self, first: int, last: int, delta: float) -> None:
-        self.first, self.last, self.delta = first, last, delta
-        self.cycle = 0  # the cycle in which it applies; 0 while it waits
-
-
 class Cams:
     """The tables of every axis, and the state of the cams in motion."""
 
     def __init__(self, environment: Environment) -> None:
         self.environment, self.masters = environment, environment.component(Masters)
         self.arrays: dict[int, tuple[Array, Array | None]] = {}
-        self.phases: dict[int, CamPhase] = {}
-        self.cycles: dict[int, int] = {}
         self.modes: dict[int, int] = {}
         # The points of the last cycle of each axis, and the data they were computed from.
         self._made: dict[int, tuple[object, Points]] = {}
 
-    def table(self, axis: int, mode: int, start: float, begins: bool) -> Points:
+    def table(self, axis: int, mode: int, start: float) -> Points:
         """Return the positions of the master and of the follower for a cycle, in counts.
 
-        `begins` is True at the start of a cycle, False for a mere check. If nothing has changed, the result is the
-        same object as before.
+        If nothing has changed, the result is the same object as before.
         """
         masters, scale = self.masters, self.masters.scale(axis)
         steps, lengths = self.steps(axis), self.lengths(axis)
         first, end = span(
             masters.setting("CAMSTART", axis), masters.setting("CAMEND", axis), len(steps), "CAM"
         )
-        if begins:
-            self.cycles[axis] = self.cycles.get(axis, 0) + 1
-            self._shift(axis, lengths)
         amplitude = masters.setting("CAMAMPLITUDE", axis)
         start = start if mode & TRULY_ABSOLUTE else 0.0
         source = (steps, lengths, first, end, mode, amplitude, start, scale.counts)
@@ -134,15 +115,6 @@ class Cams:
             raise Rejected("range", words, "give a length for each position")
         return lengths
 
-    def _shift(self, axis: int, lengths: list[float]) -> None:
-        phase = self.phases.get(axis)
-        if phase is None or phase.cycle:
-            return
-        phase.cycle = self.cycles[axis]
-        share = phase.delta / (phase.last - phase.first + 1)
-        for n in range(phase.first - 1, phase.last):
-            lengths[n] += share
-
 
 # ----------------------------------------------------------------------------------------------- operations
 
@@ -151,7 +123,6 @@ def do_table(
     cams: Cams, row: Keyword, axis: int, positions: Array | None, lengths: Array | None, line: int
 ) -> None:
     """CAMTABLE: set the arrays of positions and lengths in user units, or clear both."""
-    cams.phases.pop(axis, None)
     if positions is None:
         cams.arrays.pop(axis, None)
         return
@@ -162,46 +133,17 @@ def do_table(
 def put_cam(cams: Cams, row: Keyword, axis: int, mode: int, line: int) -> None:
     """CAM: follow the table once or continuously; each cycle reads the arrays again."""
     check(row, mode)
-    found, checking = cams.masters.of(axis), True
+    found = cams.masters.of(axis)
     found.refuse(cams.environment, axis)
     first = int(cams.masters.setting("CAMSTART", axis)) - 1
 
     def table(start: float) -> tuple[list[float], list[float]]:
-        return cams.table(axis, mode, start, not checking)
+        return cams.table(axis, mode, start)
 
     cams.environment.controller.load_cam(
         axis, found.number, table, bool(mode & CONTINUOUS), first, found.encoder, row.name, line
     )
-    checking = False
     cams.modes[axis] = mode
-
-
-def do_segment(
-    owner: Cams | Splines, row: Keyword, axis: int, table: int, start: int, data: Array | None, line: int
-) -> None:
-    """CAMSEGMENT and SPLINESEGMENT: replace the values of some segments of a table."""
-    arrays: Sequence[Array | None] = owner.arrays.get(axis, ())
-    array = arrays[table] if 0 <= table < len(arrays) else None
-    if array is None:
-        raise Rejected(
-            "range", f"{row.name}: axis {axis} has no table {table}", row.name[:-7] + "TABLE gives it one"
-        )
-    values = elements(data, row.name) if data is not None else []
-    if not 1 <= start <= start + len(values) - 1 <= len(array) - 2:
-        words = f"segments {start} to {start + len(values) - 1} do not lie in the table of {len(array) - 2}"
-        raise Rejected("range", f"{row.word}: {words}")
-    array[start + 1 : start + 1 + len(values)] = values
-
-
-def do_phase(cams: Cams, axis: int, index: int, segments: int, delta: int, line: int) -> None:
-    """CAMPHASE: extend the master's travel over some segments of the next cycle."""
-    lengths = cams.lengths(axis)
-    first, end = span(index, index + segments - 1, len(lengths), "CAM")
-    counts = delta * cams.masters.of(axis).per_unit
-    if total(lengths[first:end]) + counts <= 0.0 or min(lengths[first:end]) + counts / (end - first) <= 0.0:
-        raise Rejected("range", f"CAMPHASE cannot take {-delta:.10g} from segments {index} to {end}",
-                      "the master must still advance in each of them")  # fmt: skip
-    cams.phases[axis] = CamPhase(index, end, counts)
 
 
 def bind_index(environment: Environment, row: Keyword) -> Operation:
@@ -217,14 +159,6 @@ def bind_index(environment: Environment, row: Keyword) -> Operation:
         return controller.cam_index_time(axis, ceil(level) - 1)
 
     return with_dependency(environment, of(Environment, index)(environment, row), until)
-
-
-def read_phase_status(cams: Cams, axis: int) -> int:
-    """Return 1 while a CAMPHASE is waiting or active."""
-    phase, index = cams.phases.get(axis), cams.environment.controller.cam_index(axis)
-    if phase is None or index < 0:
-        return 0
-    return int(not phase.cycle or (phase.cycle == cams.cycles.get(axis) and index < phase.last))
 
 
 # ------------------------------------------------------------------------------------------------- keywords
@@ -280,13 +214,4 @@ ROWS = (
     index_row("CAMINDEX", "The segment of the cam that is executing, 0 without a cam.",
            _CAM.format("") + "\nPRINT CAMINDEX(1)",
            Actions(read=bind_index), solved=True),
-    command_row("CAMSEGMENT", "axis, table, segment, array", Actions(do=of_word(Cams, do_segment)),
-             "Write other values into a cam's arrays, from a segment on: table 0 positions, 1 lengths. They count from "
-             "the next cycle on.",
-             "Dim more(2) As Float = 1, 5\n" + _CAM.format("CAMSEGMENT(1, 0, 2, more)\n")),
-    command_row("CAMPHASE", "axis, segment, segments, distance", Actions(do=of(Cams, do_phase)),
-             "Let the master go further, or less far, by a distance over some segments in the next cycle.",
-             _CAM.format("CAMPHASE(1, 1, 2, 5)\n")),
-    index_row("CAMPHASESTATUS", "1 while a CAMPHASE waits for its cycle or is in progress.",
-           _CAM.format("") + "\nPRINT CAMPHASESTATUS(1)", Actions(read=moving(of(Cams, read_phase_status)))),
 )  # fmt: skip

@@ -20,7 +20,6 @@ from motionlang.kernel.mint.keywords.table_motion_cams import (
     CONTINUOUS,
     TRULY_ABSOLUTE,
     command_row,
-    do_segment,
     elements,
     index_row,
     setting_row,
@@ -237,7 +236,4 @@ ROWS = (
              _SPLINE.format("SPLINESUSPENDTIME(0) = 20\n"), 100.0, 0, 60000),
     index_row("SPLINEINDEX", "The segment of the spline that is executing, 0 without one.",
            _SPLINE.format("") + "\nPRINT SPLINEINDEX(0)", Actions(read=bind_index)),
-    command_row("SPLINESEGMENT", "axis, table, segment, array", Actions(do=of_word(Splines, do_segment)),
-             "Write other values into a spline's arrays, from a segment on: table 0 positions, 1 velocities, 2 times.",
-             "Dim more(2) As Float = 1, 5\n" + _SPLINE.format("SPLINESEGMENT(0, 0, 2, more)\n")),
 )  # fmt: skip

@@ -168,7 +168,7 @@ class Symbols:
                               f"they are numbered {word}{numbers[0]} to {word}{numbers[-1]}")  # fmt: skip
         elif found[0] in SOURCELESS:
             self.problems.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.start,
-                              f"EVENTPEND({KINDS.index(found[0])}, 0, 0) raises it", "warning")  # fmt: skip
+                              "nothing raises it in the simulated machine", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
         function = self._block("task", task)
@@ -294,10 +294,7 @@ class Symbols:
 
     def _declare_variable(self, function: Function, node: nodes.Variable) -> Symbol:
         if node.type is not None and node.type.name.lower() == "controller":
-            hint = (
-                "no source documents them; use REMOTECOMMS(bus, node, element) for the comms array of another "
-                "controller"
-            )
+            hint = "no source documents them"
             self.problems.add(
                 "not-simulated", "variables of type Controller are not simulated", node.type.start, hint=hint
             )

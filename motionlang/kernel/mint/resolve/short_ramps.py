@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterable, Iterator
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.structure import AxisKey, Statement
-from motionlang.kernel.mint.keywords import units
 from motionlang.kernel.mint.resolve.problems import Problems
 
 # One trajectory update, s: the profile is computed each millisecond.
@@ -40,7 +39,7 @@ def warn_of_short_ramps(statements: Collection[Statement], problems: Problems) -
         if None in known:
             continue
         speed = max(each for each in known if each is not None)
-        if speed / value >= UPDATE or _has_units(statements):
+        if speed / value >= UPDATE:
             continue
         hint = f"for a ramp of {USUAL * 1e3:.10g} ms write {speed / USUAL:.10g}"
         _report(
@@ -68,9 +67,3 @@ def _settings(statements: Iterable[Statement]) -> Iterator[tuple[Keyword, AxisKe
         for use in statement.uses:
             if use.row is not None and use.role == "slot":
                 yield from ((use.row, axis, use.number(k), use.at) for k, axis in enumerate(use.axes))
-
-
-def _has_units(statements: Iterable[Statement]) -> bool:
-    """True if speeds or rates have units of their own, so that their quotient is no time."""
-    rows = {row.name for row in units.ROWS if not row.effect}
-    return any(use.row is not None and use.row.name in rows for each in statements for use in each.uses)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from motionlang.kernel.controller.faults import fault_names
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -17,7 +15,6 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "zero-speed": (3, "value invalid"),
     "zero-acceleration": (3, "value invalid"),
     "channel": (4, "channel invalid"),
-    "output": (6, "output not assigned"),
     "axis-error": (12, "axis has an error"),
     "moving": (10, "axis is moving"),
     "disabled-axis": (40, "drive disabled"),
@@ -25,11 +22,8 @@ NUMBERS: dict[str, tuple[int, str]] = {
     "terminal": (130, "terminal undefined"),
     "one-terminal": (131, "single terminal required"),
     "buffer-in-use": (142, "move buffer must be empty"),
-    "brake": (218, "motor brake on"),
     "enable-input": (228, "hardware enable input off"),
-    "event": (204, "event cannot be pended"),
     "stopping": (236, "axis stopping, move refused"),
-    "contour-and-blend": (158, "contour and blend both on"),
     "buffer-full": (59, "move buffer full"),
     "not-simulated": (17, "not supported here"),
     "division-by-zero": (1001, "divide by zero"),
@@ -80,8 +74,6 @@ class Errors:
         self.found: list[Error] = []
         self.shown: Error | None = None
         self.calling: Error | None = None  # the first of the errors for which ONERROR has not begun
-        # True for an error that does not call ONERROR, if the program masks any.
-        self.masked: Callable[[Error], bool] | None = None
         environment.controller.listeners.append(self._on_event, "error", "misc")
         environment.controller.set_fault_handler(self._run_time_fault)
 
@@ -134,9 +126,8 @@ class Errors:
     def _note(self, error: Error) -> None:
         self.found.append(error)
         del self.found[:-100]  # a controller's log does not grow forever either
-        if self.masked is None or not self.masked(error):
-            self.calling = self.calling or error
-            self.environment.events.raise_("onerror")
+        self.calling = self.calling or error
+        self.environment.events.raise_("onerror")
 
     def call(self) -> None:
         """Put the error that called ONERROR into the registers; it remains in the list."""
@@ -182,7 +173,7 @@ class Errors:
         for error in list(self._of(group, data)):
             self.found.remove(error)
         if group in (ALL, MISC) and world is not None:
-            world.misc = 0
+            world.failed = False
         for axis in controller.axes if group == ALL else (data,) if group == AXIS else ():
             if axis in controller.axes and controller.axes[axis].faults:
                 controller.clear_faults(axis)

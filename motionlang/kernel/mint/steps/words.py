@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 # The sections of the machine file that write to the memory that a controller shares with its host.
-HOST_MEMORY = frozenset(("comms", "netdata", "dpr"))
+HOST_MEMORY = frozenset(("comms", "netdata"))
 
 
 def type_of(row: Keyword) -> str:

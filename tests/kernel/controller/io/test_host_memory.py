@@ -86,7 +86,7 @@ def test_the_machine_file_writes_at_its_time() -> None:
     assert (memory.real("comms", 1), memory.integer("netdata", 2)) == (3.0, 3)
 
 
-@cases("area, first, last", [("comms", 1, 99), ("netdata", 0, 999), ("dpr", 0, 4095)])
+@cases("area, first, last", [("comms", 1, 99), ("netdata", 0, 999)])
 def test_the_first_and_the_last_element_of_each_area(area: str, first: int, last: int) -> None:
     memory = HostMemory()
     for element in (first, last):
@@ -160,7 +160,6 @@ def test_how_values_of_the_machine_file_are_stored() -> None:
     entries: list[tuple[str, dict[str, object]]] = [
         ("comms", {"element": 1, "value": 3}), ("comms", {"element": 2, "value": 3, "as": "integer"}),
         ("netdata", {"element": 1, "value": -3}), ("netdata", {"element": 2, "value": 3.0}),
-        ("dpr", {"address": 0, "value": 0x80000000}), ("dpr", {"address": 1, "value": 3, "as": "float", "at": 1.0}),
     ]  # fmt: skip
     for area, entry in entries:
         memory.schedule(controller, area, entry)
@@ -168,4 +167,3 @@ def test_how_values_of_the_machine_file_are_stored() -> None:
     clock.advance(2.0)
     assert (memory.real("comms", 1), memory.integer("comms", 2)) == (3.0, 3)
     assert (memory.integer("netdata", 1), memory.real("netdata", 2)) == (-3, 3.0)
-    assert (memory.integer("dpr", 0), memory.real("dpr", 1)) == (-(1 << 31), 3.0)

@@ -132,34 +132,6 @@ def test_a_time_that_is_none_is_refused(duration: float) -> None:
     assert c.room(0) == 2
 
 
-@cases(
-    "mode, own, duration",
-    [
-        # 10 counts at 10 counts/s, or at the new speed of 20 counts/s; with bit 0 the move keeps its speed.
-        (1, None, 1.0 + 0.1),
-        (0, None, 0.5 + 0.2),
-        (2, None, 0.5 + 0.2),
-        (3, None, 1.0 + 0.1),
-        (1, (5.0, None, None), 2.0 + 0.05),
-        (1, (5.0, 50.0, 25.0), 2.0 + 0.05 + 0.1),
-        (0, (5.0, 50.0, 25.0), 2.0 + 0.05 + 0.1),
-        (1, (None, 50.0, None), 1.0 + 0.15),
-        (1, (None, None, 50.0), 1.0 + 0.15),
-        (0, (None, 50.0, None), 0.5 + 0.3),
-    ],
-)
-def test_a_move_has_the_settings_of_its_loading(
-    mode: int, own: tuple[float | None, float | None, float | None] | None, duration: float
-) -> None:
-    c = machine(1, feedrate_mode=mode)
-    c.configure(0, "own_rates", own)
-    c.load_to(0, 10.0)
-    c.configure(0, "own_rates", None)
-    c.configure(0, "speed", 20.0)
-    c.go([0])
-    assert c.idle_time(0) == pytest.approx(duration)
-
-
 @cases("override, mode, duration", [(2.0, 1, 1.1), (2.0, 3, 0.7), (0.5, 3, 2.05), (2.0, 2, 0.7)])
 def test_the_override_multiplies_the_speed_of_moves_loaded_with_bit_1(
     override: float, mode: int, duration: float

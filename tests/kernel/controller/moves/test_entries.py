@@ -165,21 +165,6 @@ def test_outputs_between_the_segments_of_a_shear_do_not_hold_it_up() -> None:
     assert controller.position(1) == pytest.approx(10.0)
 
 
-def test_rates_of_its_own_stay_with_a_move() -> None:
-    controller = ready(1)
-    controller.configure(0, "own_rates", (50.0, 500.0, None))
-    controller.load_by(0, 100.0)
-    controller.configure(0, "own_rates", None)
-    controller.load_by(0, 100.0)
-    controller.go([0])
-    controller.clock.advance(10.0)
-    first, second = (move.profile for move in controller.log.moves)
-    assert first is not None
-    assert second is not None
-    assert [phase.duration for phase in first.phases] == [0.1, pytest.approx(96.25 / 50), 0.05]
-    assert second.duration == pytest.approx(1.1)
-
-
 def test_limits_hold_for_single_moves_and_jogs() -> None:
     controller = ready(1)
     controller.configure(0, "max_speed", 40.0)

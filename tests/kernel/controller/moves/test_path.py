@@ -43,9 +43,6 @@ def path_speed(c: Controller, time: float) -> float:
     return math.hypot(*(a.velocity(time) / a.scale.counts for a in c.axes.values()))
 
 
-# ------------------------------------------------------------------------------------------------- lines
-
-
 def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
     c = plane()
     c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 3)  # 3 by 4 units: 5
@@ -54,7 +51,6 @@ def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
     until(c, 0.3)
     assert positions(c) == pytest.approx([1.5, 2.0])
     assert c.path_speed(0) == c.path_speed(1) == pytest.approx(10.0)
-    assert c.vector_angle(0, 1) == pytest.approx(math.degrees(math.atan2(4.0, 3.0)))
     assert (c.velocity(0), c.velocity(1)) == pytest.approx((600.0, 400.0))
     until(c, 1.0)
     assert positions(c) == [3.0, 4.0]
@@ -64,6 +60,9 @@ def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
         (0, "VECTORR", 3, 300.0),
         (1, "VECTORR", 3, 200.0),
     ]
+
+
+# ------------------------------------------------------------------------------------------------- lines
 
 
 def test_go_on_the_master_starts_the_whole_and_go_on_another_axis_nothing() -> None:
@@ -137,9 +136,6 @@ def test_the_limits_of_each_axis_are_met() -> None:
     assert rates == pytest.approx([10000.0 * 0.6, 4000.0]) or rates[1] <= 4000.0 + 1e-6
 
 
-# --------------------------------------------------------------------------------------------------- arcs
-
-
 def test_a_half_circle_by_its_figures() -> None:
     c = plane()
     c.load_arc([0, 1], [200.0, 0.0], -180.0, (), True, "CIRCLER")  # over the top: 0, 0 to 4, 0
@@ -147,9 +143,11 @@ def test_a_half_circle_by_its_figures() -> None:
     whole = 2.0 * math.pi / 10.0 + 0.1
     assert c.idle_time(0) == pytest.approx(whole)
     assert positions(until(c, whole / 2.0)) == pytest.approx([2.0, 2.0])
-    assert c.vector_angle(0, 1) == pytest.approx(0.0, abs=1e-9)
     until(c, 2.0)
     assert positions(c) == [4.0, 0.0]
+
+
+# --------------------------------------------------------------------------------------------------- arcs
 
 
 def test_a_full_circle_ends_where_it_began_to_the_last_bit() -> None:
@@ -378,56 +376,6 @@ def _away(point: list[float], a: tuple[float, float], b: tuple[float, float]) ->
 # ------------------------------------------------------------------------------------------------- blends
 
 
-def test_a_blend_rounds_the_corner_with_a_parabola() -> None:
-    c = plane(blend_mode=True, blend_distance=0.5)  # the braking distance
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.load_line_by([0, 1], [0.0, 200.0])
-    c.go([0])
-    until(c, 9.0)
-    assert c.log.moves[2].start_time == pytest.approx(0.4)
-    assert c.axes[0].starts[-1] == pytest.approx(0.9)
-    assert positions(c) == pytest.approx([4.0, 4.0], abs=1e-12)
-    # half-way through the corner: x has 0.125 to go, y has covered 0.125
-    assert positions(c, 0.45) == pytest.approx([3.875, 0.125])
-    assert path_speed(c, 0.45) == pytest.approx(math.hypot(5.0, 5.0))
-    for k in range(90):
-        assert path_speed(c, 0.01 * k) <= 10.0 + 1e-9
-
-
-def test_blends_follow_one_another_and_end_exactly() -> None:
-    c = plane(blend_mode=True, blend_distance=0.5)
-    for x, y in ((4.0, 0.0), (0.0, 0.6), (3.0, 3.0)):
-        c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
-    c.go([0])
-    until(c, 9.0)
-    assert positions(c) == pytest.approx([7.0, 3.6], abs=1e-12)
-    last = [0.0, 0.0]
-    for k in range(1, 1500):
-        here = positions(c, 0.001 * k)
-        assert math.hypot(here[0] - last[0], here[1] - last[1]) <= 0.02
-        last = here
-
-
-def test_blend_begins_the_next_path_at_once() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.load_line_by([0, 1], [0.0, 200.0])
-    c.go([0])
-    until(c, 0.4).blend(0)
-    assert c.log.moves[2].start_time == pytest.approx(0.4)
-    assert positions(until(c, 9.0)) == pytest.approx([4.0, 4.0], abs=1e-12)
-
-
-def test_a_stop_in_a_blend_ends_both() -> None:
-    c = plane(blend_mode=True, blend_distance=0.5)
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.load_line_by([0, 1], [0.0, 200.0])
-    c.go([0])
-    until(c, 0.45).stop(0)
-    assert until(c, 9.0).is_idle(0)
-    assert positions(c) == pytest.approx([4.0, 0.25], abs=1e-9)
-
-
 def test_a_watch_sees_a_path_pass() -> None:
     c = machine(2, buffer_size=9)
     seen: list[float] = []
@@ -469,8 +417,8 @@ def slow_in_the_middle(c: Controller) -> None:
     """Load the same contour with 50 units/s² for the second path."""
     c.abort(0)
     for line, (speed, decel) in enumerate(((1000.0, None), (500.0, 5000.0), (1000.0, None)), 1):
-        c.configure(0, "own_rates", (speed, None, decel))
         c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", line)
+        c.axes[0].buffer[-1].speed, c.axes[0].buffer[-1].rates = speed, (None, decel)
     c.go([0])
 
 
@@ -547,19 +495,3 @@ def test_a_suspended_contour_says_where_it_rests() -> None:
     until(c, 0.9)
     assert c.path_speed(0) == pytest.approx(0.0)
     assert c.idle_time(0) == INFINITY
-
-
-def test_a_path_that_is_blended_into_runs_through_to_the_next_one() -> None:
-    """The blend begins at 4 of 5 units, at 0.45 s; from there 10 units up take 1.1 s."""
-    c = plane(contour_mode=True, contour_angle=10.0, blend_mode=True, blend_distance=1.0)
-    c.load_line_by([0, 1], [500.0, 0.0])
-    c.load_line_by([0, 1], [0.0, 250.0])
-    c.load_line_by([0, 1], [0.0, 250.0])
-    c.go([0])
-    assert path_speed(until(c, 1.0), 1.0) == pytest.approx(10.0)
-    assert positions(c) == pytest.approx([5.0, 5.0])
-    assert not until(c, 1.549).is_idle(0)
-    assert until(c, 1.551).is_idle(0)
-    assert positions(c) == [5.0, 10.0]
-    starts = [move.start_time for move in c.log.moves if move.axis == 1]
-    assert starts == pytest.approx([0.0, 0.45, 1.0])

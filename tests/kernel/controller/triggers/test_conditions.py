@@ -25,7 +25,6 @@ HEAD = """\
 Dim c(5) As Float = 4, 10, 10, -10, -10
 Dim s(3) As Float = 2, 40, 0
 SPEED(0, 1) = 50; : ACCEL(0, 1) = 100; : DECEL(0, 1) = 200; : ERRORDECEL(0, 1) = 400; : MOVEBUFFERSIZE(0, 1) = 9;
-DRIVESPEEDMAX(0) = 1000 : SPEEDREFACCELTIME(0) = 10000 : SPEEDREFDECELTIME(0) = 5000
 MASTERCHANNEL(0) = 1
 """
 HANDLER = "End\nEvent ONERROR\nEnd Event\n"
@@ -45,7 +44,6 @@ MOTIONS: dict[str, tuple[str, int]] = {
     "cam": ("CAMTABLE(0, c) : MASTERDISTANCE(0) = 10 : CAM(0) = 0 : GO(0) : JOG(1) = 10", 900),
     "shear": ("MASTERDISTANCE(0) = 100 : FLY(0) = 100 : GO(0) : JOG(1) = 20", 1000),
     "offset": ("FOLLOW(0) = 1 : OFFSET(0) = 60 : GO(0)", 1000),
-    "speed reference": ("SPEEDREF(0) = 20", 1000),
 }
 MODES = {0: "ignore", 1: "crash stop", 2: "crash stop, drive off", 3: "stop", 5: "report"}
 # What the program does when the motion is fast, after which settings, and when the input comes, s.

@@ -41,8 +41,6 @@ KINDS: dict[str, tuple[str, str, str]] = {
     ),
     "bus": ("1 2", "0 3 1.5", "must be 1 or 2"),
     "node": ("0 255", "-1 256", "must be a whole number from 0 to 255"),
-    "port": ("1 8", "0 9", "must be a whole number from 1 to 8"),
-    "dpr": ("0 4095", "-1 4096", "must be a whole number from 0 to 4095"),
     "bit": ("0 1", "-1 2", "must be 0 or 1"),
     "terminal": ("1 128", "0 3 256", "must be 1, 2, 4, 8, 16, 32, 64 or 128"),
     "width": ('"word" "float"', '"byte" 1', "must be one of word, integer, float"),
@@ -96,10 +94,6 @@ def test_the_values_of_a_kind(kind: str) -> None:
         (
             "[[input]]\nchannel = 1\nchanel = 2",
             (3, 1, 6, "[[input]] has no key chanel", "did you mean channel?"),
-        ),
-        (
-            '[[serial]]\ntext = "a"\nzzz = 2',
-            (3, 1, 3, "[[serial]] has no key zzz", "its keys are port, text, at"),
         ),
         (
             "run.zzz = 5",

@@ -71,7 +71,6 @@ FURTHER = {
     "fault": {"axis": "1"},
     "comms": {"value": "1"},
     "netdata": {"value": "1"},
-    "dpr": {"value": "1"},
     "remote": {"channel": "1"},
     "encoder": {"channel": "1"},
     "expect": {"time": "1"},

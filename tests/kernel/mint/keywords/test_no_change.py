@@ -18,7 +18,6 @@ RATES = "SPEED(0, 1) = 100; : ACCEL(0, 1) = 200; : DECEL(0, 1) = 300;\n"
 S_RAMP = RATES + "PROFILEMODE(0, 1) = 1; : ACCELJERK(0, 1) = 900; : DECELJERK(0, 1) = 700;\n"
 MOVE = "FEEDRATEMODE(0) = 2 : FEEDRATEOVERRIDE(0) = 80\nMOVER(0) = 100 : GO(0)\n"
 FOLLOW = "MASTERCHANNEL(1) = 0 : FOLLOWMODE(1) = 1 : JOG(0) = 90\n"
-DRIVE = "DRIVESPEEDMAX(0) = 100 : SPEEDREFACCELTIME(0) = 300 : SPEEDREFACCELJERKENDTIME(0) = 40\n"
 TIMES = "SPEED(0) = 100 : ACCELTIME(0) = 500 : DECELTIME(0) = 400\n"
 # The command that starts the axis, and the one that is repeated.
 CASES = {
@@ -26,8 +25,6 @@ CASES = {
     "JOG reverse": ("JOG(0) = -100\n", "JOG(0) = -100"),
     "JOG to rest": ("JOG(0) = 100\nWAIT = 700\nJOG(0) = 0\n", "JOG(0) = 0"),
     "JOG above MAXSPEED": ("MAXSPEED(0) = 60\nJOG(0) = 100\n", "JOG(0) = 100"),
-    "FREQ": ("FREQ(0) = 100\n", "FREQ(0) = 100"),
-    "JOGCOMMAND": ("JOGSPEED(0) = 80\nJOGCOMMAND(0) = -1\n", "JOGCOMMAND(0) = -1 : JOGSPEED(0) = 80"),
     "SPEED": (MOVE, "SPEED(0) = 100"),
     "FEEDRATE": (MOVE, "FEEDRATE(0) = 100"),
     "ACCEL": (MOVE, "ACCEL(0) = 200 : DECEL(0) = 300"),
@@ -46,9 +43,6 @@ CASES = {
         "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 50 : MASTERSOURCE(0) = _msAUXENCODER\nFOLLOW(0) = 1\n",
         "AUXENCODERMODE(0) = 8 : AUXENCODERSPEED(0) = 50",
     ),
-    "SPEEDREF": (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREF(0) = 70"),
-    "SPEEDREFENABLE": (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREFENABLE(0) = 1"),
-    "VELREF": ("VELREF(0) = 70\n", "VELREF(0) = 70"),
     "DRIVEENABLE": (MOVE, "DRIVEENABLE(0) = 1"),
     "GO": (MOVE, "GO(0)"),
     "ramps": (MOVE, "ACCELJERK(0) = ACCELJERK(0) : PROFILEMODE(0) = PROFILEMODE(0) : ERRORDECEL(0) = 100000"),
@@ -58,7 +52,6 @@ CASES = {
     "POS at rest": ("POS(0) = 5\n", "POS(0) = 5"),
     "POS in motion": (MOVE + "WAIT = 200\n", "POS(0) = POS(0)"),
     "HTA": ("HTACHANNEL(0) = 1 : HTAKPROP(0) = 1\nHTA(0) = 20\n", "HTA(0) = 20 : HTAKPROP(0) = 1"),
-    "POSREF": ("POSREF(0) = 70\n", "POSREF(0) = 70"),
 }
 
 
@@ -93,7 +86,6 @@ def test_what_is_in_force_already_changes_nothing(case: str, ramps: str) -> None
         ("JOG(0) = 100\n", "MAXSPEED(0) = 50 : JOG(0) = 100"),
         (MOVE, "SPEED(0) = 90"),
         (MOVE, "FEEDRATEMODE(0) = 0"),
-        (DRIVE + "SPEEDREF(0) = 70\n", "SPEEDREFACCELTIME(0) = 200 : SPEEDREF(0) = 70"),
         (FOLLOW + "FOLLOW(1) = 0.5\n", "FOLLOW(1) = 0.25"),
     ],
 )

@@ -9,7 +9,7 @@ from motionlang.kernel.mint import table
 # Keywords that switch something: any number except 0 is on. TIME and POSROLLOVER take every Integer, which is
 # their range.
 ANY_NUMBER = {
-    "DRIVEENABLE", "HOMESTATUS", "LATCHENABLE", "FASTENABLE", "FASTAUXENABLE", "COMPAREENABLE", "TIME", "POSROLLOVER",
+    "DRIVEENABLE", "HOMESTATUS", "LATCHENABLE", "FASTENABLE", "TIME", "POSROLLOVER",
 }  # fmt: skip
 # WAIT is a statement of its own.
 RANGED = [

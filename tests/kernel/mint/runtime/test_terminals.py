@@ -70,33 +70,15 @@ End Event
     assert ran(text)[1] == {"terminal 2": ["tick"], "terminal 4": ["task"]}
 
 
-def test_what_a_serial_port_sends_is_a_stream_of_its_own() -> None:
-    text = """
-Send("AB") : Send("C")
-SERIALCHAR(2) = 68
-SERIALCHAR = 13 : SERIALCHAR = 10 : SERIALCHAR = 10
-End
-Sub Send(ByVal s As String)
-  Dim k As Integer
-  For k = 1 To Len(s)
-    SERIALCHAR = Asc(Mid(s, k, 1))
-  Next
-End Sub
-"""
-    screen, others, _ = ran(text)
-    assert screen == "[serial 1] ABC\n[serial 1] \n[serial 2] D\n"
-    assert others == {"serial 1": ["ABC", ""], "serial 2": ["D"]}
-
-
 def test_report_has_the_output_of_other_terminals() -> None:
-    result = run(Source("a.mnt", 'PRINT #2, "there"\nMODBUSTCP32(4, 6) = 70000\nREMOTECOMMS(1, 2, 5) = 2.5'))
+    result = run(Source("a.mnt", 'PRINT #2, "there"\nMODBUSTCP32(4, 6) = 70000\nREMOTEDAC(1, 2, 5) = 2.5'))
     told = json.loads(report.text(result))
     assert told["output"] == []
     assert told["terminals"] == [{"name": "terminal 2", "output": ["there"]}]
     assert told["device_writes"] == [
         {"server": 4, "kind": "register", "number": 6, "value": 4464},
         {"server": 4, "kind": "register", "number": 7, "value": 1},
-        {"bus": 1, "node": 2, "kind": "element", "number": 5, "value": 2.5},
+        {"bus": 1, "node": 2, "kind": "analogue-output", "number": 5, "value": 2.5},
     ]
 
 
@@ -110,25 +92,23 @@ def test_the_table_shows_what_was_written_into_other_devices() -> None:
     text = """
 MODBUSTCP16(4, 6) = -1
 REMOTEDAC(1, 2, 3) = 12.5
-REMOTEOBJECT(1, 2, 0x6060, 0, 2) = 3
-REMOTEESTOP(2, 7) = 1
+REMOTEOUTX(2, 7, 1) = 1
 """
     table = render(run(Source("a.mnt", text)))
-    assert table.splitlines()[2:8] == [
+    assert table.splitlines()[2:7] == [
         "written to                          value",
         "─────────────────────────────────────────",
         "Modbus server 4  register 6         65535",
         "node 2 of bus 1  analogue output 3   12.5",
-        "node 2 of bus 1  object 0x6060, 0       3",
-        "node 7 of bus 2  estop                  1",
+        "node 7 of bus 2  output 1               1",
     ]
 
 
 def test_very_many_values_are_counted() -> None:
-    text = "For i = 1 To 99\n  REMOTECOMMS(1, 2, i) = i\nNext\n"
+    text = "For i = 1 To 99\n  MODBUSTCP16(4, i) = i\nNext\n"
     table = render(run(Source("a.mnt", text)))
     assert "… and 59 more: --format json has all" in table
-    assert "element 41" not in table
+    assert "register 41" not in table
 
 
 def test_a_row_of_an_operator_panel_takes_what_print_takes() -> None:
