@@ -135,7 +135,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
         ("mint", "HALFWAY", "meaning short index unit"),
         ("mccl", "HY", "meaning unit"),
     ):
-        with (folder / f"motionlang/commands/probe/evidence/{language}/facts.txt").open(
+        with (folder / f"motionlang/commands/evidence/{language}/facts.txt").open(
             "a", encoding="utf-8"
         ) as evidence:
             evidence.write(f"\n{facts} · memory high · made up\n  {word}\n")
@@ -152,7 +152,7 @@ def add_command(folder: Path) -> None:
         path.write_text(text, encoding="utf-8")
     row = '        "longest": ("commands.longest.command:Longest", "name the move that takes longest"),\n'
     insert(folder / "motionlang/cli/commands.py", '        "certify": (', row)
-    insert(folder / "pyproject.toml", " | probe | profile", " | longest")
+    insert(folder / "pyproject.toml", " | plan | profile", " | longest")
     insert(folder / "mkdocs.yml", "          - certify:", "          - longest: commands/longest.md\n")
     page = (
         "# longest\n\n`motionlang longest FILE` names one move.\n\n<!-- options: longest -->\n<!-- end -->\n"

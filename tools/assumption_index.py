@@ -6,8 +6,8 @@ from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING
 
-from motionlang.commands.probe.entries import assumptions
-from motionlang.commands.probe.fact_evidence import is_remembered
+from motionlang.commands.evidence.entries import assumptions
+from motionlang.commands.evidence.fact_evidence import is_remembered
 from motionlang.kernel.assumptions.used import is_of
 from motionlang.kernel.lang.dialect import dialect, dialects
 from motionlang.kernel.mint.keywords.switchable import name_of, with_default
@@ -15,7 +15,7 @@ from motionlang.kernel.mint.keywords.switchable import name_of, with_default
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from motionlang.commands.probe.assumption import Assumption
+    from motionlang.commands.evidence.assumption import Assumption
     from motionlang.kernel.lang.keyword import Keyword
     from motionlang.kernel.lang.vocabulary import Vocabulary
 

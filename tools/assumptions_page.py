@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 
-from motionlang.commands.probe.assumption import Assumption
-from motionlang.commands.probe.entries import Chapter, Section, chapters
-from motionlang.commands.probe.fact_evidence import of_word
+from motionlang.commands.evidence.assumption import Assumption
+from motionlang.commands.evidence.entries import Chapter, Section, chapters
+from motionlang.commands.evidence.fact_evidence import of_word
 from motionlang.kernel.lang.dialect import dialect
 
 HEAD = """\

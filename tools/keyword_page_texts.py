@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
-from motionlang.commands.probe.entries import of_word
-from motionlang.commands.probe.fact_evidence import is_remembered
-from motionlang.commands.probe.keyword_facts import facts
+from motionlang.commands.evidence.entries import of_word
+from motionlang.commands.evidence.fact_evidence import is_remembered
+from motionlang.commands.evidence.keyword_facts import facts
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.views.formatting import dialect_name
 from tools.assumptions_page import anchor, cell

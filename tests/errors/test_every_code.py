@@ -18,7 +18,6 @@ TESTS = Path(__file__).parents[1]
 # Codes that no program leads to, each with its reason.
 NOT_BY_A_PROGRAM = {
     "address": "a server cannot be started or reached",
-    "answers": "the answers of a controller to a probe cannot be read",
     "beyond-limit": "the command certify finds it",
     "budget": "the command profile compares a run with the budget of its machine file",
     "crash": "an internal error",

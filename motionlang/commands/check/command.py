@@ -42,7 +42,7 @@ from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable, styled, wants_colour, width_of
 
 if TYPE_CHECKING:
-    from motionlang.commands.probe.assumption import Assumption
+    from motionlang.commands.evidence.assumption import Assumption
 
 
 @dataclass
@@ -174,8 +174,8 @@ examples:
         if text and checked.steps:
             sys.stdout.writelines(render_steps(dialect(checked.language), checked.steps, colour=colour))
         if checked.assumptions is not None:
-            from motionlang.commands.probe.entries import assumptions
-            from motionlang.commands.probe.view import listing
+            from motionlang.commands.evidence.entries import assumptions
+            from motionlang.commands.evidence.view import listing
 
             known = assumptions()
             open_ones = [known[name] for name in checked.assumptions]
@@ -184,7 +184,7 @@ examples:
 
     def _document(self, findings: Sequence[Found]) -> Document:
         """Return the findings, and the tables that are asked for."""
-        from motionlang.commands.probe.view import assumptions_table
+        from motionlang.commands.evidence.view import assumptions_table
 
         shown = self._shown
         about = [(each.file, diagnostic) for each in findings for diagnostic in each.diagnostics]

@@ -14,14 +14,14 @@ from typing import ClassVar
 from motionlang.cli.command import Refused, argument, option
 from motionlang.cli.commands import COMMANDS, build_parser
 from motionlang.cli.option_groups import OutputOptions, forms
+from motionlang.commands.evidence import view as assumptions
+from motionlang.commands.evidence.assumption import SETTLED, Assumption
+from motionlang.commands.evidence.entries import assumptions as known
+from motionlang.commands.evidence.entries import of_word
+from motionlang.commands.evidence.fact_evidence import of_word as of_word_facts
 from motionlang.commands.help.codes import codes, explanation
 from motionlang.commands.help.keyword_search import search
 from motionlang.commands.help.view import evidence_table, keywords_table, listing, page
-from motionlang.commands.probe import view as assumptions
-from motionlang.commands.probe.assumption import SETTLED, Assumption
-from motionlang.commands.probe.entries import assumptions as known
-from motionlang.commands.probe.entries import of_word
-from motionlang.commands.probe.fact_evidence import of_word as of_word_facts
 from motionlang.kernel import CODES, Diagnostic, Keyword, dialect, dialects
 from motionlang.kernel.lang import Vocabulary
 from motionlang.kernel.tools import nearest

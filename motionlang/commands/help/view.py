@@ -6,8 +6,8 @@ import sys
 import textwrap
 from collections.abc import Sequence
 
-from motionlang.commands.probe.fact_evidence import of_word
-from motionlang.commands.probe.keyword_facts import facts, standing
+from motionlang.commands.evidence.fact_evidence import of_word
+from motionlang.commands.evidence.keyword_facts import facts, standing
 from motionlang.kernel import Keyword
 from motionlang.views.formatting import dialect_name
 from motionlang.views.table import Column, Table

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from motionlang.commands.evidence.keyword_facts import facts, standing
 from motionlang.commands.map.program_map import channels_of
-from motionlang.commands.probe.keyword_facts import facts, standing
 from motionlang.ide.editor.page import Page
 from motionlang.kernel import Keyword, ProgramError
 from motionlang.kernel.lang import Definition, Span

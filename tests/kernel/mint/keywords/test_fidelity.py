@@ -9,7 +9,7 @@ from motionlang.kernel.mint import table
 
 ROOT = Path(__file__).parents[4]
 PAGE = (ROOT / "docs/contributing/assumptions.md").read_text(encoding="utf-8")
-FACTS = (ROOT / "motionlang/commands/probe/evidence/mint/facts.txt").read_text(encoding="utf-8")
+FACTS = (ROOT / "motionlang/commands/evidence/mint/facts.txt").read_text(encoding="utf-8")
 CHAPTERS = ("Mint: ", "Motion on the controller", "The servo")
 
 

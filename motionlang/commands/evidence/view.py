@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 
-from motionlang.commands.probe.assumption import Assumption
+from motionlang.commands.evidence.assumption import Assumption
 from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Table
 from motionlang.views.terminal import styled

@@ -1,6 +1,6 @@
 """Draw random rows and facts to check against their sources.
 
-Run `python -m tests.commands.probe.draw 2026-11-21`. The date is the seed, so anyone can repeat a draw. A row is a
+Run `python -m tests.commands.evidence.draw 2026-11-21`. The date is the seed, so anyone can repeat a draw. A row is a
 keyword with the evidence of its meaning; a fact is another fact of a keyword, such as its default. Compare
 each with the source that it names, and note those that claim more than the source.
 """
@@ -11,7 +11,7 @@ import sys
 from random import Random
 from typing import TYPE_CHECKING
 
-from motionlang.commands.probe.fact_evidence import of_word
+from motionlang.commands.evidence.fact_evidence import of_word
 from motionlang.kernel import dialect, dialects
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ def line(language: str, row: Keyword, fact: str) -> str:
 def main(arguments: list[str]) -> int:
     """Print a draw; 2 if no date is given."""
     if len(arguments) != 1:
-        print("usage: python -m tests.commands.probe.draw DATE", file=sys.stderr)
+        print("usage: python -m tests.commands.evidence.draw DATE", file=sys.stderr)
         return 2
     rows, facts = drawn(arguments[0])
     for each in [*rows, *facts]:

@@ -67,7 +67,7 @@ def listed(language: str) -> Mapping[tuple[str, str], Evidence]:
     assert language in dialects(), language
     found: dict[tuple[str, str], Evidence] = {}
     facts, evidence = [""], UNKNOWN
-    for line in package_text(f"commands/probe/evidence/{language}/facts.txt").splitlines():
+    for line in package_text(f"commands/evidence/{language}/facts.txt").splitlines():
         if line.startswith("  "):
             for word in line.split():
                 for fact in facts:

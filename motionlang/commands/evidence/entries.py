@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from motionlang.commands.probe.assumption import Assumption
-from motionlang.commands.probe.fact_evidence import STRENGTHS
-from motionlang.commands.probe.fact_evidence import of_word as facts_of_word
+from motionlang.commands.evidence.assumption import Assumption
+from motionlang.commands.evidence.fact_evidence import STRENGTHS
+from motionlang.commands.evidence.fact_evidence import of_word as facts_of_word
 from motionlang.kernel import Keyword, dialects
 from motionlang.kernel.files import package_text
 from motionlang.kernel.lang import ASSUMPTIONS, switch
@@ -19,18 +19,18 @@ from motionlang.kernel.mint import name_of, row_with_default, with_default
 
 # The files of evidence, in the order of the chapters of docs/contributing/assumptions.md.
 FILES = (
-    "commands/probe/evidence/mint/language.toml",
-    "commands/probe/evidence/mint/machine.toml",
-    "commands/probe/evidence/mint/motion.toml",
-    "commands/probe/evidence/mccl/board.toml",
-    "commands/probe/evidence/controller.toml",
-    "commands/probe/evidence/models.toml",
-    "commands/probe/evidence/servo.toml",
-    "commands/probe/evidence/copley.toml",
-    "commands/probe/evidence/serving.toml",
-    "commands/probe/evidence/mcapi.toml",
-    "commands/probe/evidence/prompt.toml",
-    "commands/probe/evidence/report.toml",
+    "commands/evidence/mint/language.toml",
+    "commands/evidence/mint/machine.toml",
+    "commands/evidence/mint/motion.toml",
+    "commands/evidence/mccl/board.toml",
+    "commands/evidence/controller.toml",
+    "commands/evidence/models.toml",
+    "commands/evidence/servo.toml",
+    "commands/evidence/copley.toml",
+    "commands/evidence/serving.toml",
+    "commands/evidence/mcapi.toml",
+    "commands/evidence/prompt.toml",
+    "commands/evidence/report.toml",
 )
 # The number of chapters before that of Mint's settings at power-up.
 AFTER = 3

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from motionlang.commands.probe.fact_evidence import Evidence, is_remembered, of_word
+from motionlang.commands.evidence.fact_evidence import Evidence, is_remembered, of_word
 from motionlang.kernel import Keyword
 from motionlang.kernel import dialect as language
 

@@ -7,11 +7,11 @@ import subprocess
 import sys
 from collections.abc import Iterator
 
-from motionlang.commands.probe.assumption import Assumption
-from motionlang.commands.probe.entries import assumptions
-from motionlang.commands.probe.fact_evidence import of_word
+from motionlang.commands.evidence.assumption import Assumption
+from motionlang.commands.evidence.entries import assumptions
+from motionlang.commands.evidence.fact_evidence import of_word
 from motionlang.kernel import dialect, dialects
-from tests.commands.probe.draw import FACTS, ROWS, drawn, line
+from tests.commands.evidence.draw import FACTS, ROWS, drawn, line
 from tools.fidelity_page import PAGE
 
 # Names outside the tables and grammars: a machine with a motor, any program, the name of a handler.
@@ -98,7 +98,7 @@ def test_no_run_loads_the_evidence() -> None:
         "import sys; from motionlang import run; from motionlang.kernel.source import Source; "
         "run(Source('a.mnt', 'SPEED(0)=1\\nPRINT POS(0)\\n')); "
         "run(Source('a.mcl', '1TP\\n')); "
-        "print({'motionlang.commands.probe.entries', 'tomllib'} & set(sys.modules) or 'none')"
+        "print({'motionlang.commands.evidence.entries', 'tomllib'} & set(sys.modules) or 'none')"
     )
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
     assert done.stdout == "none\n", done.stderr

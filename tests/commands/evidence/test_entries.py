@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.commands.probe.entries import assumptions, chapters, entries_naming
-from motionlang.commands.probe.fact_evidence import facts_of, listed
+from motionlang.commands.evidence.entries import assumptions, chapters, entries_naming
+from motionlang.commands.evidence.fact_evidence import facts_of, listed
 from motionlang.kernel import dialect, dialects
 
 

@@ -1,0 +1,1 @@
+"""The evidence of facts and the assumptions: entries, page, use."""

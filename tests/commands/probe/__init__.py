@@ -1,1 +1,0 @@
-"""The assumptions: entries, page, use, and the probes that settle them."""
