@@ -13,6 +13,7 @@ ROUNDING = 1e-12
 _OUTCOMES = {
     "ended": "ended after {}",
     "until": "still running at the time limit of {}",
+    "out": "still waiting at {}",  # for what the machine file has ended before, and ends no more
     "stopped": "stopped after {}",
     "fault": "stopped by an error at {}",
     "interrupted": "interrupted at {}",
@@ -22,7 +23,7 @@ _OUTCOMES = {
 
 def outcome(run: Run) -> str:
     """Return how the run ended, and its machine time."""
-    text = _OUTCOMES[run.status].format(clock_time(run.time))
+    text = _OUTCOMES["out" if run.has_run_out else run.status].format(clock_time(run.time))
     return f"{text} by {run.machine.stop}" if run.status == "stopped" else text
 
 
