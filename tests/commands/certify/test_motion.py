@@ -30,7 +30,7 @@ KINDS_ONLY_PROVED = {
     "is of another line", "is replaced", "is stopped",
 }  # fmt: skip
 ACCEPTED = {
-    "begins in the middle": "dwell", "is of another axis": "offset gears", "is there twice": "offset gears",
+    "begins in the middle": "dwell", "is of another axis": "offset gears", "is there twice": "offset gears dwell",
     "is told with the next": "jogs PMC velocity contour",
     "begins later": "offset gears", "begins sooner": "offset gears dwell",
     "is missing": "offset gears",
