@@ -24,7 +24,7 @@ GROUPS: dict[tuple[str, str], str] = {
     ("commands/sweep", "command report"): "a command prints its report, which shows what the command asks for",
     ("commands/check", "axis_state reach rule_facts"):
         "the state of the axes is one of the facts, and is worked out from the others",
-    ("kernel/controller", "axis feedback joined motion_listener state watch"):
+    ("kernel/controller", "axis feedback motion_listener state watch"):
         "a controller owns its axes, and an axis knows it, its watches and its motor",
     ("kernel/controller/moves", "course path path_run"): "a path belongs to a run of paths, which is made of them",
     ("ide/debug", "debugger state"): "what a debugger shows is a part of it, which asks it for the present stop",
@@ -40,9 +40,8 @@ GROUPS: dict[tuple[str, str], str] = {
     ("kernel/mccl/runtime", "board task writer"): "a board runs tasks, and a task commands its board",
     ("exploration", "questions search"): "the search asks the questions, and a question plays its changes",
     ("hosts/mint", "console port"): "a console has ports, and what a port receives acts on its console",
-    ("kernel/mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams "
-                      "table_motion_splines"):
-        "cams, splines and compensation share their tables, followers and triggers their masters",
+    ("kernel/mint/keywords", "buffer compensation following_auxiliary following_masters sensing table_motion_cams"):
+        "cams and compensation share their tables, followers and triggers their masters",
     ("kernel/mint/runtime", "binding changes environment errors events power_up task waits"):
         "the environment of a program owns its tasks and events; each is handed its environment",
     ("kernel/mint/steps", "blocks calls expressions keywords program statements terminal unit waiting words"):
