@@ -50,7 +50,10 @@ def blocks(*kinds: str) -> list[ParameterSet]:
             if match[1] in kinds:
                 line = text.count("\n", 0, match.start()) + 1
                 # A search makes hundreds of runs, and so does a sweep that finds the least of a quantity.
-                searches = any(each in match[2] for each in ("motionlang improve", "--suggest", "minimise ="))
+                searches = any(
+                    each in match[2]
+                    for each in ("motionlang improve", "--explore", "--suggest", "minimise =")
+                )
                 marks = [pytest.mark.slow] if searches else []
                 name = f"{page.relative_to(ROOT)}:{line}"
                 found.append(pytest.param(match[1], match[2], id=name, marks=marks))
@@ -75,7 +78,7 @@ def matches(shown: str, output: str) -> bool:
 def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Run commands in the checkout with the gallery; output goes to a scratch folder."""
     monkeypatch.chdir(tmp_path)
-    for name in ("scripts", "docs"):
+    for name in ("scripts", "docs", "examples"):
         os.symlink(ROOT / name, tmp_path / name)
     shutil.copytree(ROOT / "examples" / "old", tmp_path / "old")
     monkeypatch.setenv("COLUMNS", "100")
@@ -117,12 +120,18 @@ def test_console(
 def answer(words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[str, str]:
     """Return output and errors of one command of a console block.
 
-    The commands other than `motionlang` are `cat`, `cp`, and `python` for a script of `tests/lab/notes/scripts`.
+    The commands other than `motionlang` are `cat`, `cp`, `sed s/OLD/NEW/ FILE > OTHER`, and `python` for a script of
+    `tests/lab/notes/scripts`.
     """
     if words[0] == "python":
         return printed(words[2].rpartition(".")[2], *words[3:]), ""
     if words[0] == "cp":
         shutil.copy(words[1], words[2])
+        return "", ""
+    if words[0] == "sed":
+        _, before, after, _ = words[1].split("/")
+        text = Path(words[2]).read_text(encoding="utf-8")
+        Path(words[4]).write_text(text.replace(before, after, 1), encoding="utf-8")
         return "", ""
     if words[0] == "cat":
         return Path(words[1]).read_text(encoding="utf-8"), ""

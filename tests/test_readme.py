@@ -23,8 +23,10 @@ def test_a_sentence_the_playground_and_the_picture_come_first() -> None:
     assert PROGRAM.name in picture
 
 
-def test_the_installation_is_on_the_first_screen() -> None:
-    assert README[: README.index("\n## Install")].count("\n") <= 25
+def test_a_difference_and_the_installation_are_on_the_first_screen() -> None:
+    screen = README[: README.index("\n## Install")]
+    assert screen.count("\n") <= 40
+    assert "--explore --write-scenarios" in screen
 
 
 def test_a_run_and_a_diagnostic_are_shown_in_the_minute_of_use() -> None:

@@ -125,15 +125,16 @@ def difference_words(found: FoundDifference) -> str:
     """Return what A does and what B does, and when, counted from the last change of the way."""
     difference = found.difference
     if difference.end is not None:
-        return f"A: {difference.end[0]}, B: {difference.end[1]}{_often(found.times)}"
+        return f"A: {difference.end[0]}, B: {difference.end[1]}{_aside((), found.times)}"
     sides = (("A", difference.a, found.way.timeline), ("B", difference.b, found.in_b))
     a, b = (f"{side} {_acts(acts, timeline, difference)}" for side, acts, timeline in sides)
     lines = [f"line {acts[0].line} of {side}" for side, acts, _ in sides if acts and acts[0].line]
-    return f"{a}, {b} ({', '.join(lines)}{_often(found.times)})"
+    return f"{a}, {b}{_aside(lines, found.times)}"
 
 
-def _often(times: int) -> str:
-    return f", in {times} ways" if times > 1 else ""
+def _aside(lines: Sequence[str], times: int) -> str:
+    parts = [*lines, *([f"in {times} ways"] if times > 1 else [])]
+    return f" ({', '.join(parts)})" if parts else ""
 
 
 def _acts(acts: Sequence[ComparedAct], timeline: Timeline, difference: ActDifference) -> str:
@@ -157,7 +158,8 @@ def later_words(found: FoundLater) -> str:
         what = f"takes {abs(later.seconds):.3f} s {word} in B"
     else:
         what = f"comes {abs(later.seconds):.3f} s {'later' if later.seconds > 0.0 else 'earlier'} in B"
-    return f"{printable(str(later.act))} {what} (line {later.act.line} of A{_often(found.times)})"
+    lines = [f"line {later.act.line} of A"] if later.act.line else []
+    return f"{printable(str(later.act))} {what}{_aside(lines, found.times)}"
 
 
 def _cycle(each: CycleTime) -> str:
