@@ -45,6 +45,14 @@ def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_
     assert run(where, tmp_path, PYTHONPATH=site).startswith(site)
 
 
+def test_it_runs_from_a_zip_file(built: tuple[Path, Path], tmp_path: Path) -> None:
+    shutil.copy(ROOT / "scripts" / "mint" / "ballscrew.mnt", tmp_path)
+    command = [sys.executable, "-m", "motionlang"]
+    zipped = {"PYTHONPATH": str(built[1])}
+    assert run([*command, "help", "SPEED"], tmp_path, **zipped).startswith("SPEED · Mint setting")
+    assert "200.0000 mm" in run([*command, "run", "ballscrew.mnt"], tmp_path, **zipped)
+
+
 def test_an_index_would_take_it(built: tuple[Path, Path], tmp_path: Path) -> None:
     pytest.importorskip("twine")
     run([sys.executable, "-m", "twine", "check", "--strict", *map(str, built)], tmp_path)

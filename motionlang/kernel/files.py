@@ -26,9 +26,9 @@ def replacing(path: str, *, only_copy: bool = False, private: bool = False) -> R
 
 
 def package_text(path: str) -> str:
-    """Return the text of a file in the package's folder, without importing pathlib."""
-    with open(os.path.join(os.path.dirname(os.path.dirname(__file__)), path), encoding="utf-8") as file:
-        return file.read()
+    """Return the text of a file in the package's folder, or in a zip file, without importing importlib.resources."""
+    package = os.path.dirname(os.path.dirname(__file__))
+    return __loader__.get_data(os.path.join(package, path)).decode("utf-8")  # type: ignore[name-defined,no-any-return]
 
 
 class Replacement:
