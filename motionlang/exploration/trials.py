@@ -63,6 +63,7 @@ class TrialMotion(NamedTuple):
 
     `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `words` are its target
     if it has one, and its highest speed, both in user units; none for an entry of the move buffer that moves nothing.
+    `is_short` is True if it took no longer than a move to where the axis is, since it had no way to go or was cut off.
     """
 
     begin: float
@@ -72,6 +73,7 @@ class TrialMotion(NamedTuple):
     words: str
     ended: str
     is_homing: bool
+    is_short: bool
 
     @property
     def is_work(self) -> bool:
@@ -377,9 +379,13 @@ def _moves(result: Run) -> Iterator[TrialMotion]:
         is_homing = homes(move.command)
         if profile is not None and profile.duration < inf and (profile.shape not in ENDLESS or is_homing):
             end = move.start_time + profile.duration
-        yield TrialMotion(
-            move.start_time, end, move.axis, move.line, described(move, is_homing), move.ended, is_homing
-        )
+        words, is_short = described(move, is_homing), is_short_move(move)
+        yield TrialMotion(move.start_time, end, move.axis, move.line, words, move.ended, is_homing, is_short)
+
+
+def is_short_move(move: LoggedMove) -> bool:
+    """True if a move took no longer than one to where the axis is."""
+    return move.profile is not None and move.profile.duration <= SHORTEST_MOVE
 
 
 def described(move: LoggedMove, is_homing: bool) -> str:

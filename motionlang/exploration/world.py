@@ -43,7 +43,7 @@ from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Causes, Visit, delay
-from motionlang.exploration.trials import Trial, TrialMotion, without_figures
+from motionlang.exploration.trials import Trial, TrialMotion, is_short_move, without_figures
 from motionlang.exploration.values import first_write
 from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
@@ -357,7 +357,10 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
     def holds(settings: Mapping[str, object], *, nothing_more: bool = False) -> bool:
         result, begun = explorer.trials.run_in(settings, until)
         log = result.machine.log
-        moves = (TrialMotion(each.start_time, inf, each.axis, each.line, "", "", False) for each in log.moves)
+        moves = (
+            TrialMotion(each.start_time, inf, each.axis, each.line, "", "", False, is_short_move(each))
+            for each in log.moves
+        )
         if trial.status == "ended" and result.status != "ended":
             return False
         found = orders.of(moves, log.outputs, log.prints)
@@ -390,7 +393,8 @@ def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
             if holds(_settings(chosen, tried)):
                 others = tried
                 break
-    for number in sorted(set(explorer.channels) - flips.keys() - explorer.triggers):
+    others_read = set(explorer.channels) - flips.keys() - explorer.triggers
+    for number in sorted(others_read) if cycle.repeats else ():
         on: list[Entry] = [{"channel": number, "at": 0.0}]
         if holds(_settings({**chosen, number: on}, others), nothing_more=True):
             chosen[number] = on
@@ -472,7 +476,7 @@ class _Orders:
     ) -> dict[str, list[tuple[object, ...]]]:
         """Return the moves, outputs and prints of each task in order; prints with True if they say what is wrong."""
         acts: list[tuple[float, int, tuple[object, ...]]] = []
-        acts += ((each.begin, each.line, ("move", each.axis, each.line)) for each in moves)
+        acts += ((each.begin, each.line, ("move", each.axis, each.line, each.is_short)) for each in moves)
         acts += (
             (each.time, self._line(each.at), ("output", each.channel, bool(each.value)))
             for each in outputs

@@ -100,6 +100,22 @@ def test_a_stop_button_of_a_task_beside_the_cycle_stays_off(cell: Cell) -> None:
     assert found == [{"channel": 1, "asked": 0.3}]
 
 
+ONCE = "SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500\n"
+HALT = "MOVER(0) = 120 : GO(0)\nPause IDLE(0) Or INX(3)\nIf INX(3) Then STOP(0)\nPause IDLE(0)\n"
+EARLY = "JOG(0) = 30\nWhile POS(0) < 70 And Not INX(3)\nEnd While\nSTOP(0)\nPause IDLE(0)\n"
+PAIR = 'If INX(1) And Not INX(3) And INX(5) Then ? "pair"\nMOVER(0) = 10 : GO(0) : Pause IDLE(0)\n'
+
+
+@pytest.mark.parametrize("text", [HALT, EARLY, PAIR], ids=["halt", "early", "pair"])
+def test_what_the_work_of_a_program_that_runs_once_does_not_need_is_off(cell: Cell, text: str) -> None:
+    assert inputs(cell, ONCE + text, "old.mnt") == []
+
+
+def test_a_sensor_that_ends_a_jog_comes_in_the_jog(cell: Cell) -> None:
+    text = f"{ONCE}JOG(0) = 40\nPause INX(2)\nSTOP(0)\nPause IDLE(0)\n"
+    assert inputs(cell, text, "old.mnt") == [{"channel": 2, "at": 0.3}]
+
+
 UNUSED = f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nIF INX.2 THEN OUTX.6 = 1\nENDL\n"
 
 
