@@ -49,7 +49,6 @@ from motionlang.exploration.changes import (
     TEXTS,
     Change,
     Channel,
-    Entry,
     Timeline,
     entries,
     in_words,
@@ -77,7 +76,8 @@ from motionlang.exploration.trials import (
 )
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
-from motionlang.exploration.world import FoundWorld, explains, lead, nowhere, played, world_of
+from motionlang.exploration.world import FoundWorld, nowhere, played, world_of
+from motionlang.identification import Entry
 from motionlang.kernel import Program, Run, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import names_in_comments
 
@@ -110,13 +110,11 @@ __all__ = [
     "causes_of",
     "described",
     "entries",
-    "explains",
     "explore",
     "explored",
     "in_words",
     "is_probe",
     "keys_of",
-    "lead",
     "lines_of",
     "number_in",
     "plain",

@@ -6,6 +6,7 @@ from collections import defaultdict
 from collections.abc import Hashable, Iterable, Mapping
 from typing import NamedTuple
 
+from motionlang.identification import Entry
 from motionlang.kernel.lang import DRIVES
 from motionlang.kernel.tools import count_of
 
@@ -14,7 +15,6 @@ TABLES = ("input", "analogue", "comms", "netdata", "modbus.register", "key", "an
 TEXTS = ("key", "answer")
 # The tables whose whole numbers are integers.
 WHOLE = ("netdata", "modbus.register")
-Entry = dict[str, object]
 # A channel of the world: its table, and its number there, 0 for a key or an answer.
 Channel = tuple[str, int]
 # The number of a Modbus register is that in its server, and so many for each number of the server.

@@ -5,6 +5,7 @@
     on from a time             a change that is made once
     follows an output          each of its changes comes after one of the output; inverted, too
     when asked                 a person, a host or an unknown sensor answers as soon as the program asks
+    follows it as measured     the delays of on and off differ, or it is on for some time after a change of the output
     on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
 
@@ -20,20 +21,20 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict, deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import pairwise, product
+from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
 
 from motionlang.exploration.changes import (
     AT_REST,
     Change,
-    Entry,
     Moment,
     Timeline,
     entries,
     is_about,
     levels_at,
     made_at,
+    number_in,
     tables_of,
 )
 from motionlang.exploration.cycles import MachineCycle, wrong
@@ -45,6 +46,7 @@ from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Causes, Visit, delay
 from motionlang.exploration.trials import Trial, TrialMotion, is_short_move, without_figures
 from motionlang.exploration.values import first_write
+from motionlang.identification import Digital, Entry, Observation, channels, place, rules_of
 from motionlang.kernel import Axis, Run
 from motionlang.kernel.log import Printed, Switched
 
@@ -70,11 +72,21 @@ MOMENT = 0.02
 LONGER = 1.5
 # An input that comes and goes, s.
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
+# An input that is on from the start, and one that answers.
+ON, ASKED = {"at": 0.0}, {"asked": DELAY}
 # So many marks are on the way of an axis that goes on and on, and positions are the same within this, uu.
 MARKS, SAME = 300, 0.01
 # The tables of numbers of a host, and those whose entries may happen again by themselves.
 NUMBERS = ("comms", "netdata", "modbus.register")
 WRITES = (*NUMBERS, "key")
+
+
+Settings = Mapping[str, object]
+# Times and levels of a channel.
+Levels = list[tuple[float, float]]
+# Something that a task has done: a move, an output or a print; and those of each task.
+Act = tuple[object, ...]
+Acts = Mapping[str, list[Act]]
 
 
 class FoundWorld(NamedTuple):
@@ -113,14 +125,14 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         if 0 < count < times and cycle.repeats and cycle.work and explained < EXPLAINED:
             # The changes of the next turn are other ones, but they may be the same answers.
             explained += 1
-            found = _explained(explorer, count, cycle, trial)
+            found = _Description(explorer, count, cycle, trial).world()
             if _goes_on(found):
                 return found
     if best is None:
         furthest = nowhere(explorer)
         best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
     (*_, count), cycle, trial = best
-    return _explained(explorer, *_with_more_on(explorer, count, cycle, trial))
+    return _Description(explorer, *_with_more_on(explorer, count, cycle, trial)).world()
 
 
 def nowhere(explorer: Explorer) -> MachineCycle:
@@ -331,83 +343,199 @@ def _is_same(rest: Rest, at: float, before: RestState | None) -> bool:
 # -------------------------------------------------------------------------------------------------- explaining
 
 
-def _explained(explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial) -> FoundWorld:
-    """Return the simplest world in which each task does what it did in a played run."""
-    orders = _Orders(explorer)
-    end = _end_of(cycle, trial)
-    wanted = orders.of(
-        (each for each in trial.moves if each.begin < end),
-        (each for each in trial.outputs if each.time < end),
-        (each for each in trial.prints if each.time < end),
-    )
-    flips: dict[int, list[tuple[float, float]]] = defaultdict(list)
-    for time, change in trial.timeline:
-        if change.table == "input":
-            flips[change.number] += change.levels(time)
-    writes: dict[Change, list[float]] = defaultdict(list)
-    for time, change in trial.timeline:
-        if change.table in WRITES:
-            writes[change].append(time)
-    until = LONGER * end + PULSES["every"] * max(map(len, flips.values()), default=0)
-    others = tables_of(tuple(each for each in trial.timeline if each[1].table != "input"))
-    chosen = {number: _one_by_one(number, each) for number, each in flips.items()}
+class _Description:
+    """Settings in which each task does what it did in a played run, described by simpler rules pass by pass."""
 
-    handled = {each.at for each in trial.statements.get(HANDLERS, ())}
+    def __init__(self, explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial) -> None:
+        self._explorer, self._count, self._cycle, self._trial = explorer, count, cycle, trial
+        self._owners = explorer.program.structure.owners()
+        end = _end_of(cycle, trial)
+        moves = ((each.begin, each.axis, each.line, each.is_short) for each in trial.moves)
+        self._wanted = self._acts(moves, trial.outputs, trial.prints, end)
+        self._handled = {each.at for each in trial.statements.get(HANDLERS, ())}
+        self._flips: dict[int, Levels] = defaultdict(list)
+        self._writes: dict[Change, list[float]] = defaultdict(list)
+        for time, change in trial.timeline:
+            if change.table == "input":
+                self._flips[change.number] += change.levels(time)
+            elif change.table in WRITES:
+                self._writes[change].append(time)
+        most = max(map(len, self._flips.values()), default=0)
+        self._until = LONGER * end + PULSES["every"] * most
+        self._along = _along(explorer, trial)
+        self._outputs = channels((each.channel, each.time, each.value) for each in trial.outputs)
+        self._blinking = _blinking(self._outputs, trial, explorer.rests(trial))
+        others = tuple(each for each in trial.timeline if each[1].table != "input")
+        self._settings: Settings = tables_of(others)
+        for number, changes in self._flips.items():
+            made: list[Entry] = [{"channel": number, "at": time, "value": int(on)} for time, on in changes]
+            self._settings = self._with(made, number)
 
-    def holds(settings: Mapping[str, object], *, nothing_more: bool = False) -> bool:
-        result, begun = explorer.trials.run_in(settings, until)
+    def world(self) -> FoundWorld:
+        """Return the simplest world."""
+        self._describe_as_asked()
+        # What is on too early for one input may be in time when another one is on, too.
+        for _ in range(PASSES):
+            for number, changes in sorted(self._flips.items(), key=lambda each: (len(each[1]), each[0])):
+                first: Entry = {"channel": number, "at": round(changes[0][0], 1)}
+                self._take(self._with(each, number) for each in self._rules(first, changes))
+        self._describe_as_pulses()
+        for change, times in self._writes.items():
+            rest = [each for each in entries(self._settings, change.table) if not is_about(change, each)]
+            (first,) = entries(tables_of(((times[0], change),)), change.table)
+            pulses = [each for time in times for each in ((time, 1.0), (time + MOMENT, 0.0))]
+            tried = self._rules(first, pulses, is_pulse=True) if len(times) > 1 else ()
+            self._take({**self._settings, change.table: [*rest, *each]} for each in tried)
+        others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
+        for number in sorted(others) if self._cycle.repeats else ():
+            self._take([self._with([{"channel": number, **ON}], number)], nothing_more=True)
+        changed = {each.channel for _, each in self._trial.timeline} | written(self._explorer.program)
+        for table, number in self._explorer.read:
+            if table in NUMBERS and (table, number) not in changed:
+                write = entries(tables_of(((0.0, first_write((table, number))),)), table)
+                self._take([{**self._settings, table: [*write, *entries(self._settings, table)]}])
+        self._take(self._released())
+        settings = dict(self._settings)
+        inputs = settings.pop("input", [])
+        settings |= {"input": inputs} if inputs else {}
+        result = self._explorer.trials.run_in(settings, self._until)[0]
+        return FoundWorld(self._cycle, settings, result, self._count)
+
+    def _with(self, made: Sequence[Entry], *numbers: int) -> Settings:
+        """Return the settings with other entries for some inputs."""
+        left = [each for each in entries(self._settings, "input") if each["channel"] not in numbers]
+        return {**self._settings, "input": sorted((*left, *made), key=lambda each: number_in("input", each))}
+
+    def _take(self, tried: Iterable[Settings], *, nothing_more: bool = False) -> None:
+        """Take the first settings that hold."""
+        for each in tried:
+            if each == self._settings or self._holds(each, nothing_more=nothing_more):
+                self._settings = each
+                return
+
+    def _holds(self, settings: Settings, *, nothing_more: bool) -> bool:
+        """True if each task does what it did in the played run, and other tasks nothing if `nothing_more`."""
+        result, begun = self._explorer.trials.run_in(settings, self._until)
         log = result.machine.log
-        moves = (
-            TrialMotion(each.start_time, inf, each.axis, each.line, "", "", False, is_short_move(each))
-            for each in log.moves
-        )
-        if trial.status == "ended" and result.status != "ended":
+        moves = ((each.start_time, each.axis, each.line, is_short_move(each)) for each in log.moves)
+        if self._trial.status == "ended" and result.status != "ended":
             return False
-        found = orders.of(moves, log.outputs, log.prints)
-        if nothing_more and any(own and not wanted.get(task) for task, own in found.items()):
+        found = self._acts(moves, log.outputs, log.prints)
+        if nothing_more and any(own and not self._wanted.get(task) for task, own in found.items()):
             return False
-        return begun & explorer.handlers <= handled and _is_as_good(wanted, found)
+        return begun & self._explorer.handlers <= self._handled and _is_as_good(self._wanted, found)
 
-    along = _along(explorer, trial)
-    switched = _switched(trial)
-    blinking = _blinking(switched, trial, explorer.rests(trial))
-    asked = {number: _when_asked(number, each, along.get(number)) for number, each in flips.items()}
-    answers = _answers(explorer, trial) if count > 1 else {}
-    if holds(_settings(asked, {**others, **answers})):
-        chosen, others = asked, {**others, **answers}
-    for _ in range(PASSES):  # what is on too early for one input may be in time when another one is on, too
-        for number, changes in sorted(flips.items(), key=lambda each: (len(each[1]), each[0])):
-            for entry in _rules(number, changes, along.get(number), switched, blinking):
-                if chosen[number] == [entry] or holds(_settings({**chosen, number: [entry]}, others)):
-                    chosen[number] = [entry]
-                    break
-    left = [number for number, each in chosen.items() if len(each) > 1]
-    # The times of one fit those of the others, so all of them must come and go by themselves.
-    together: dict[int, list[Entry]] = {number: [{"channel": number, **PULSES}] for number in left}
-    if left and holds(_settings(chosen | together, others)):
-        chosen |= together
-    for change, times in writes.items():
-        for entry in _repetitions(change, times, switched, blinking) if len(times) > 1 else ():
-            rest = [each for each in entries(others, change.table) if not is_about(change, each)]
-            tried = {**others, change.table: [*rest, entry]}
-            if holds(_settings(chosen, tried)):
-                others = tried
-                break
-    others_read = set(explorer.channels) - flips.keys() - explorer.triggers
-    for number in sorted(others_read) if cycle.repeats else ():
-        on: list[Entry] = [{"channel": number, "at": 0.0}]
-        if holds(_settings({**chosen, number: on}, others), nothing_more=True):
-            chosen[number] = on
-    for given in _numbers(explorer, trial):
-        tried = {**others, **{table: [*given[table], *entries(others, table)] for table in given}}
-        if holds(_settings(chosen, tried)):
-            others = tried
-    for number, entry in _released(explorer, _settings(chosen, others), chosen):
-        if holds(_settings({**chosen, number: [entry]}, others)):
-            chosen[number] = [entry]
-            break
-    settings = _settings(chosen, others)
-    return FoundWorld(cycle, settings, explorer.trials.run_in(settings, until)[0], count)
+    def _acts(
+        self,
+        moves: Iterable[tuple[float, int, int, bool]],
+        outputs: Iterable[Switched],
+        prints: Iterable[Printed],
+        end: float = inf,
+    ) -> Acts:
+        """Return the acts of each task in order; a print is right or wrong.
+
+        A move is its time, axis and line, and if it is a short one.
+        """
+        line = self._explorer.line
+        acts: list[tuple[float, int, Act]] = [
+            (time, at, ("move", axis, at, short)) for time, axis, at, short in moves
+        ]
+        acts += (
+            (each.time, line(each.at), ("output", each.channel, bool(each.value)))
+            for each in outputs
+            if each.at >= 0
+        )
+        acts += (
+            (each.time, line(each.at), ("print", without_figures(each.text), bool(wrong([each.text]))))
+            for each in prints
+            if each.at >= 0
+        )
+        found: dict[str, list[Act]] = defaultdict(list)
+        for time, at, act in sorted(acts, key=lambda each: each[0]):
+            if time < end:
+                found[self._owners.get(at, "")].append(act)
+        return found
+
+    def _describe_as_asked(self) -> None:
+        """Let all channels change when they are asked for, or where an axis passes."""
+        asked: list[Entry] = []
+        for number, changes in sorted(self._flips.items()):
+            is_on = changes == [(0.0, 1.0)]
+            asked.append(self._along.get(number) or {"channel": number, **(ON if is_on else ASKED)})
+        answers = _answers(self._explorer, self._trial) if self._count > 1 else {}
+        self._take([{**self._with(asked, *self._flips), **answers}])
+
+    def _describe_as_pulses(self) -> None:
+        """Let all inputs without a rule come and go: the times of one fit those of the others."""
+        entries_at = (each for each in entries(self._settings, "input") if "at" in each)
+        often = Counter(number_in("input", each) for each in entries_at)
+        left = [number for number, times in often.items() if times > 1]
+        if left:
+            self._take([self._with([{"channel": number, **PULSES} for number in left], *left)])
+
+    def _rules(self, first: Entry, changes: Levels, *, is_pulse: bool = False) -> Iterator[Sequence[Entry]]:
+        """Yield the rules that may explain the changes of a channel, the simplest first.
+
+        `first` is the entry of the first change. With `is_pulse` a host writes a number, or a person presses a key.
+        """
+        base, along = {key: value for key, value in first.items() if key != "at"}, None
+        if changes[0][1]:
+            yield [{**first, **ON}]
+        if not is_pulse and (along := self._along.get(number_in("input", first))) is not None:
+            yield [along]
+        if changes[0][1] and (is_pulse or len(changes) == 1):
+            yield [first]
+        if len(changes) == 1:
+            return
+        for entry in self._following(changes, is_pulse=is_pulse):
+            yield [{**base, **entry}]
+        yield [{**base, **ASKED}]
+        seen = Observation(0.0, self._trial.time, outputs=self._outputs)
+        for number, channel in channels((0, *each) for each in changes).items() if not is_pulse else ():
+            for rule in sorted(rules_of(number, channel, seen), key=lambda rule: rule.delay):
+                if "output" in rule.entries[0]:
+                    yield [{**each, **base} for each in rule.entries]
+
+    def _following(self, changes: Levels, *, is_pulse: bool) -> list[Entry]:
+        """Return the keys by which changes follow an output, at any delay; outputs that blink are last.
+
+        Changes that were made together with another one may have come before the output that they follow.
+        """
+        seen = Observation(0.0, 0.0, outputs=self._outputs, reaction=inf)
+        found = [
+            {key: each for key, each in entry.items() if key not in ("channel", "for")} | {"delay": wait}
+            for wait, earlier in ((DELAY, 0.0), (SOON, DELAY))[: 1 if is_pulse else 2]
+            for channel in channels((0, time + earlier, level) for time, level in changes).values()
+            for rule in rules_of(0, channel, seen)
+            if "output" in (entry := rule.entries[0]) and ("for" in entry) == is_pulse
+        ]
+
+        def order(each: Entry) -> tuple[bool, float, int, bool]:
+            output: int = each["output"]  # type: ignore[assignment]
+            leads = [time - self._outputs[output].last(time + DELAY).time for time, _ in changes]
+            return output in self._blinking, fsum(leads), output, "value" in each
+
+        return sorted(found, key=order)
+
+    def _released(self) -> Iterator[Settings]:
+        """Yield rules with which the run does not end in a wait for an input that is always on to be off.
+
+        It follows the output that was switched last.
+        """
+        result = self._explorer.trials.run_in(self._settings, WHOLE)[0]
+        scheduler = result.machine.scheduler
+        waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+        stuck = {
+            number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what
+        }
+        latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
+        inputs = entries(self._settings, "input")
+        on = [number for number in sorted(stuck) if {"channel": number, **ON} in inputs]
+        for number, output, inverted in product(on, latest, ({}, {"value": 0})):
+            entry: Entry = {"channel": number, "output": output, "delay": DELAY, **inverted}
+            tried = self._with([entry], number)
+            if self._explorer.trials.run_in(tried, WHOLE)[0].status != "fault":
+                yield tried
 
 
 def _end_of(cycle: MachineCycle, trial: Trial) -> float:
@@ -421,100 +549,23 @@ def _end_of(cycle: MachineCycle, trial: Trial) -> float:
     return min(trial.time, max([last, *often]) + MOMENT) if len(often) == len(cycle.work) > 0 else trial.time
 
 
-def _released(
-    explorer: Explorer, settings: Mapping[str, object], chosen: Mapping[int, list[Entry]]
-) -> Iterator[tuple[int, Entry]]:
-    """Yield rules with which the run does not end in a wait for an input that is always on to be off.
-
-    It follows the output that was switched last.
-    """
-    result = explorer.trials.run_in(settings, WHOLE)[0]
-    scheduler = result.machine.scheduler
-    waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
-    stuck = {number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what}
-    latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
-    for number in sorted(stuck & chosen.keys()):
-        for output in latest if chosen[number] == [{"channel": number, "at": 0.0}] else ():
-            entry: Entry = {"channel": number, "output": output, "delay": DELAY}
-            for tried in (entry, {**entry, "value": 0}):
-                again = explorer.trials.run_in({**settings, "input": _replaced(settings, tried)}, WHOLE)[0]
-                if again.status != "fault":
-                    yield number, tried
-
-
-def _replaced(settings: Mapping[str, object], entry: Entry) -> list[Entry]:
-    """Return the inputs of settings with another entry for one of them."""
-    return [*(each for each in entries(settings, "input") if each["channel"] != entry["channel"]), entry]
-
-
-def _settings(inputs: Mapping[int, list[Entry]], others: Mapping[str, object]) -> dict[str, object]:
-    entries = [entry for number in sorted(inputs) for entry in inputs[number]]
-    return {**others, **({"input": entries} if entries else {})}
-
-
-def _one_by_one(number: int, changes: list[tuple[float, float]]) -> list[Entry]:
-    return [{"channel": number, "at": time, "value": int(value)} for time, value in changes]
-
-
-def _numbers(explorer: Explorer, trial: Trial) -> Iterator[dict[str, list[Entry]]]:
-    """Yield the entries of the numbers of a host that the program reads, and that nothing has changed."""
-    given = {each.channel for _, each in trial.timeline}
-    for channel in explorer.read:
-        if channel[0] in NUMBERS and channel not in given and channel not in written(explorer.program):
-            yield tables_of(((0.0, first_write(channel)),))  # type: ignore[misc]
-
-
-class _Orders:
-    """The acts of the tasks of a program, each task's in its own order."""
-
-    def __init__(self, explorer: Explorer) -> None:
-        self._line = explorer.line
-        self._owners = explorer.program.structure.owners()
-
-    def of(
-        self, moves: Iterable[TrialMotion], outputs: Iterable[Switched], prints: Iterable[Printed]
-    ) -> dict[str, list[tuple[object, ...]]]:
-        """Return the moves, outputs and prints of each task in order; prints with True if they say what is wrong."""
-        acts: list[tuple[float, int, tuple[object, ...]]] = []
-        acts += ((each.begin, each.line, ("move", each.axis, each.line, each.is_short)) for each in moves)
-        acts += (
-            (each.time, self._line(each.at), ("output", each.channel, bool(each.value)))
-            for each in outputs
-            if each.at >= 0
-        )
-        acts += (
-            (each.time, self._line(each.at), ("print", without_figures(each.text), bool(wrong([each.text]))))
-            for each in prints
-            if each.at >= 0
-        )
-        found: dict[str, list[tuple[object, ...]]] = defaultdict(list)
-        for _, line, act in sorted(acts, key=lambda each: each[0]):
-            found[self._owners.get(line, "")].append(act)
-        return found
-
-
-Acts = Mapping[str, list[tuple[object, ...]]]
-
-
 def _is_as_good(wanted: Acts, found: Acts) -> bool:
     """True if each task does what is wanted in its order, or moves so and says as much, but less of what is wrong."""
     if _same(wanted, found):
         return True
-    moves = _of(wanted, "move")
     (right, faults), (others, fewer) = _said(wanted), _said(found)
-    is_better = fewer < faults and right <= others
-    return is_better and any(moves.values()) and _same(moves, _of(found, "move"))
+    moves = _moves(wanted)
+    return fewer < faults and right <= others and any(moves.values()) and _same(moves, _moves(found))
 
 
-def _of(acts: Acts, kind: str) -> Acts:
-    """Return the acts of one kind of each task."""
-    return {task: [each for each in own if each[0] == kind] for task, own in acts.items()}
+def _moves(acts: Acts) -> Acts:
+    return {task: [each for each in own if each[0] == "move"] for task, own in acts.items()}
 
 
 def _said(acts: Acts) -> tuple[set[object], int]:
     """Return the printed lines of all tasks that say nothing wrong, and how many others there are."""
-    prints = [each for own in _of(acts, "print").values() for each in own]
-    right = [text for _, text, is_wrong in prints if not is_wrong]
+    prints = [each[1:] for own in acts.values() for each in own if each[0] == "print"]
+    right = [text for text, is_wrong in prints if not is_wrong]
     return set(right), len(prints) - len(right)
 
 
@@ -532,24 +583,13 @@ def _same(wanted: Acts, found: Acts) -> bool:
     return True
 
 
-Switches = Mapping[int, list[tuple[float, int]]]
-
-
-def _switched(trial: Trial) -> Switches:
-    """Return the times and levels of the outputs of a trial."""
-    switched: dict[int, list[tuple[float, int]]] = defaultdict(list)
-    for each in trial.outputs:
-        switched[each.channel].append((each.time, int(bool(each.value))))
-    return switched
-
-
-def _blinking(switched: Switches, trial: Trial, found: list[Rest]) -> set[int]:
+def _blinking(outputs: Mapping[int, Digital], trial: Trial, found: list[Rest]) -> set[int]:
     """Return the outputs that change more than once while the program is at rest."""
     stays = [(rest.begin + MOMENT, min(rest.end, trial.time) - MOMENT) for rest in found]
     return {
         output
-        for output, changes in switched.items()
-        if any(sum(begin < time < end for time, _ in changes) > 1 for begin, end in stays)
+        for output, channel in outputs.items()
+        if any(sum(begin < each.time < end for each in channel.changes) > 1 for begin, end in stays)
     }
 
 
@@ -570,16 +610,16 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
             continue
         move, time, (_, _, _, times, every) = passing[0]
         a = axes[move.axis]
-        begins = [_place(a, each.begin) for each, _, _ in passing if each.line == move.line]
-        end = _place(a, time + every / 2 if every else (time + min(move.end, time + 1.0)) / 2)
-        between = [round(each, 2) for each in sorted((_place(a, time), end))]
+        begins = [place(a, each.begin) for each, _, _ in passing if each.line == move.line]
+        end = place(a, time + every / 2 if every else (time + min(move.end, time + 1.0)) / 2)
+        between = [round(each, 2) for each in sorted((place(a, time), end))]
         entry: Entry = {"channel": number, "axis": move.axis, "between": between}
         if move.end == inf:  # a jog: as far as it goes
-            entry |= {"every": round(abs(_place(a, time + every) - _place(a, time)), 2), "times": MARKS}
+            entry |= {"every": round(abs(place(a, time + every) - place(a, time)), 2), "times": MARKS}
         elif max(begins) - min(begins) > SAME:
             entry |= {"every": round((begins[1] - begins[0]) / times, 2), "times": MARKS}
         elif times > 1:
-            entry |= {"every": round((_place(a, move.end) - begins[0]) / times, 2), "times": times}
+            entry |= {"every": round((place(a, move.end) - begins[0]) / times, 2), "times": times}
         every_uu: float = entry.get("every", between[1] - between[0] + SAME)  # type: ignore[assignment]
         if every_uu > between[1] - between[0]:  # a mark ends before the next one
             found[number] = entry
@@ -589,27 +629,10 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
 def _passing(trial: Trial, axes: Mapping[int, Axis], time: float, moment: Moment) -> TrialMotion | None:
     """Return the move in whose middle an input comes: that of a line, or a jog in which it comes again and again."""
     for each in reversed(trial.moves):
-        is_under_way = each.begin <= time < each.end
-        if is_under_way and moment.line == each.line and each.end < inf:
-            return each
-        if (
-            is_under_way
-            and moment.every
-            and not moment.line
-            and each.end == inf
-            and axes[each.axis].velocity(time)
-        ):
+        is_jog = moment.every and not moment.line and axes[each.axis].velocity(time)
+        if each.begin <= time < each.end and (is_jog if each.end == inf else moment.line == each.line):
             return each
     return None
-
-
-def _when_asked(number: int, changes: list[tuple[float, float]], along: Entry | None) -> list[Entry]:
-    """Return the rule of an input that changes when it is asked for, or where an axis passes."""
-    if along is not None:
-        return [along]
-    if len(changes) == 1 and changes[0] == (0.0, 1.0):
-        return [{"channel": number, "at": 0.0}]
-    return [{"channel": number, "asked": DELAY}]
 
 
 def _answers(explorer: Explorer, trial: Trial) -> dict[str, list[Entry]]:
@@ -631,97 +654,17 @@ def _answers(explorer: Explorer, trial: Trial) -> dict[str, list[Entry]]:
     return dict(found)
 
 
-def _place(a: Axis, time: float) -> float:
-    """Return where an axis was at a time, in user units from the zero of the machine, which a homing leaves."""
-    return a.scale.to_user(a.position(time) - a.datum)
-
-
 def _rising(explorer: Explorer, trial: Trial, time: float, change: Change) -> Entry | None:
     """Return the entry of a level that rises with the position of an axis that jogs at a time; None if none does."""
     assert isinstance(change.value, float)
     axes = explorer.trials.run_in(tables_of(trial.timeline), time)[0].controller.axes
-    for move in reversed(trial.moves):
-        if move.begin < time and move.end == inf and axes[move.axis].velocity(time):
-            a = axes[move.axis]
-            begin, end = _place(a, move.begin), _place(a, time)
-            if begin != end:
-                edge = "above" if end > begin else "below"
-                rise = round(change.value / (end - begin), 3)
-                return {
-                    "channel": change.number,
-                    "axis": move.axis,
-                    edge: round(begin, 2),
-                    "value": 0.0,
-                    "per_unit": rise,
-                }
-    return None
-
-
-def _rules(
-    number: int,
-    changes: list[tuple[float, float]],
-    along: Entry | None,
-    switched: Switches,
-    blinking: set[int],
-) -> Iterator[Entry]:
-    """Yield the rules that may explain the changes of an input, the simplest first; outputs that blink are last."""
-    if changes[0][1]:
-        yield {"channel": number, "at": 0.0}
-    if along is not None:
-        yield along
-    if len(changes) == 1 and changes[0][1]:
-        yield {"channel": number, "at": round(changes[0][0], 1)}
-    # What was changed together with another input may have come before the output that it follows.
-    later = [(time + DELAY, level) for time, level in changes]
-    latest = sorted(switched, key=lambda each: (each in blinking, lead(later, switched[each]), each))
-    for output in latest if len(changes) > 1 else ():
-        for inverted, (moved, wait) in product((0, 1), ((changes, DELAY), (later, SOON))):
-            if explains(moved, switched[output], inverted):
-                entry: Entry = {"channel": number, "output": output, "delay": wait}
-                yield {**entry, "value": 0} if inverted else entry
-    if len(changes) > 1:
-        yield {"channel": number, "asked": DELAY}
-
-
-def _repetitions(
-    change: Change, times: Sequence[float], switched: Switches, blinking: set[int]
-) -> Iterator[Entry]:
-    """Yield the rules that may explain why a host writes a number again, or a person presses a key again."""
-    first = entries(tables_of(((times[0], change),)), change.table)[0]
-    yield {**first, "at": 0.0}
-    yield first
-    latest = sorted(
-        switched, key=lambda each: (each in blinking, lead([(t, 1.0) for t in times], switched[each]))
-    )
-    for output in latest:
-        for level in (1, 0):
-            if all(
-                _is_after(time, before, switched[output], level) for before, time in pairwise((-inf, *times))
-            ):
-                answer: Entry = {"output": output, "delay": DELAY, **({} if level else {"level": 0})}
-                yield {key: value for key, value in first.items() if key != "at"} | answer
-    yield {key: value for key, value in first.items() if key != "at"} | {"asked": DELAY}
-
-
-def _is_after(time: float, before: float, switched: list[tuple[float, int]], level: int) -> bool:
-    """True if an output changed to a level between two times."""
-    return any(before < at <= time and value == level for at, value in switched)
-
-
-def explains(changes: list[tuple[float, float]], switched: list[tuple[float, int]], inverted: int) -> bool:
-    """True if each change of an input comes after a change of an output to that level, since the change before.
-
-    An input that follows an output that is off has its level from power-up on.
-    """
-    before = -inf
-    for time, value in changes[1:] if changes[0][1] == inverted or changes[0][0] == 0.0 else changes:
-        if not any(before < at <= time and level ^ inverted == value for at, level in switched):
-            return False
-        before = time
-    return True
-
-
-def lead(changes: list[tuple[float, float]], switched: list[tuple[float, int]]) -> float:
-    """Return by how much an output changes before an input on average, s; infinite if it does not."""
-    leads = [min((time - at for at, _ in switched if at <= time), default=inf) for time, _ in changes]
-    return fsum(leads) / len(leads)
+    move = _passing(trial, axes, time, Moment(every=inf))
+    if move is None or move.end < inf:
+        return None
+    a = axes[move.axis]
+    begin, end = place(a, move.begin), place(a, time)
+    if begin == end:
+        return None
+    edge, rise = "above" if end > begin else "below", round(change.value / (end - begin), 3)
+    base: Entry = {"channel": change.number, "axis": move.axis, edge: round(begin, 2)}
+    return {**base, "value": 0.0, "per_unit": rise}

@@ -17,10 +17,11 @@ from motionlang.commands.panel.play import PER_SECOND, RELEASE, Action, ActionQu
 from motionlang.commands.panel.play import in_words as change_in_words
 from motionlang.commands.panel.presses import Presses
 from motionlang.commands.panel.roles import NO_ROLES, Roles
-from motionlang.commands.panel.rule import in_words, rules
+from motionlang.commands.panel.rule import rules
 from motionlang.commands.panel.scenario import NotSaved, save
 from motionlang.commands.panel.state import Data, contents, state_of, warnings_of
-from motionlang.exploration import TABLES, TEXTS, Change, Entry, FoundSwitches, tables_of
+from motionlang.exploration import TABLES, TEXTS, Change, FoundSwitches, tables_of
+from motionlang.identification import Entry, in_words
 from motionlang.kernel import Program, ProgramError, Run, Source, dialect
 from motionlang.kernel.files import reason
 from motionlang.kernel.lang import first_mistake
@@ -171,7 +172,9 @@ class PanelSession:
         explained, found = self._explained, self._rules
         if play.machine is not None and play.now >= play.until and explained != len(play.record):
             mine = [each for each in play.record.changes if each[1].number not in play.driven]
-            explained, found = len(play.record), rules(mine, play.machine)
+            made = zip(play.record.changes, play.asked, strict=False)
+            asked = {(each.number, time): since for (time, each), since in made if since is not None}
+            explained, found = len(play.record), rules(mine, play.machine, asked)
         warned, warning = warnings_of(play)
         new = "".join(play.text)
         play.text.clear()
@@ -289,7 +292,7 @@ class PanelSession:
                 number = _whole(request, "number")
                 entry = self._rules.get(number)
                 if entry is None:
-                    raise WrongAction(f"no output explains the changes of input {number}")
+                    raise WrongAction(f"nothing explains the changes of input {number}")
                 return partial(self._follow, number=number, entry=entry)
             case "kind":
                 number, kind = _whole(request, "number"), str(request.get("kind"))

@@ -12,8 +12,8 @@ from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.rest import SHADOW, TABLE_OF, seeking, tasks_of
 from motionlang.commands.panel.roles import Roles
-from motionlang.commands.panel.rule import in_words
 from motionlang.exploration import plain
+from motionlang.identification import in_words
 from motionlang.kernel import Dialect, Machine, Program, Rejected, Run, dialect
 from motionlang.kernel.controller import fault_names
 from motionlang.kernel.lang import names_in_comments
@@ -67,20 +67,8 @@ def _inputs(used: Sequence[Channel], settings: Mapping[str, object], kinds: Mapp
         is_awaited = channel is not None and (channel.waits or channel.starts) and not channel.reads
         kind = kinds.get(number, "button" if is_awaited else "switch")
         rows.append(_row("input", number, name, kind, channel))
-        rows[-1]["driven"] = "" if entry is None else _driver(entry)
+        rows[-1]["driven"] = "" if entry is None else in_words(entry)
     return rows
-
-
-def _driver(entry: Mapping[str, object]) -> str:
-    """Return in words what drives an input of the machine file."""
-    if "output" in entry:
-        return in_words(entry)
-    if "axis" in entry:
-        return f"follows axis {entry['axis']}"
-    if "asked" in entry:
-        return f"{entry['asked']} s after it is asked for"
-    every = entry.get("every")
-    return f"every {every} s by the machine file" if every else "set by the machine file"
 
 
 def _others(used: Sequence[Channel]) -> list[Data]:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording, RecordedChange
-from motionlang.commands.init.recorded.rules import rules_of
+from motionlang.commands.init.recorded.recording import MeasuredRecording
+from motionlang.identification import Digital, LevelChange, rules_of
 from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell
 from tests.commands.init.recordings import FOLDER, Logger, csv_of, machine_run, world_of
@@ -171,13 +171,11 @@ def test_what_has_no_column_is_named_before_the_program_is_accused(cell: Cell) -
 )
 def test_a_time_that_varies_much_is_a_guess(delays: list[float], is_guess: bool) -> None:
     """Each figure has the interval in which it lies."""
-    causes = tuple(RecordedChange(2.0 * k + 1.0 + k % 2, 1 - k % 2, 0.0005) for k in range(6))
+    causes = tuple(LevelChange(2.0 * k + 1.0 + k % 2, 1 - k % 2, 0.0005) for k in range(6))
     changes = tuple(
-        RecordedChange(each.time + delay, each.level, 0.0005)
-        for each, delay in zip(causes, delays, strict=True)
+        LevelChange(each.time + delay, each.level, 0.0005) for each, delay in zip(causes, delays, strict=True)
     )
     recording = MeasuredRecording(
-        "rec.csv",
         0.0,
         12.0,
         0.001,
@@ -236,10 +234,10 @@ def test_a_gap_does_not_lose_a_rule(cell: Cell) -> None:
 
 def test_what_was_before_a_recording_is_a_guess() -> None:
     """A level that never changes, if the machine ran before; and a clock, if nothing shows power-up."""
-    known = MeasuredRecording("r.csv", 0.0, 20.0, 0.01)
+    known = MeasuredRecording(0.0, 20.0, 0.01)
     constant = Digital("in1", 1, (), 0)
     times = [each for k in range(5) for each in (1.0 + 3.0 * k, 1.5 + 3.0 * k)]
-    clock = Digital("in2", 0, tuple(RecordedChange(at, 1 - k % 2, 0.005) for k, at in enumerate(times)), 0)
+    clock = Digital("in2", 0, tuple(LevelChange(at, 1 - k % 2, 0.005) for k, at in enumerate(times)), 0)
     late, unplaced = replace(known, is_late=True, is_placed=False), replace(known, is_placed=False)
     assert [rules_of(1, constant, each)[0].is_guess for each in (known, unplaced, late)] == [
         False,

@@ -347,7 +347,7 @@ def test_a_change_of_the_file_is_offered(tmp_path: Path) -> None:
         ({"do": "change", "table": "input", "number": -1, "value": 1}, "channel"),
         ({"do": "change", "table": "comms", "number": 1, "value": None}, "value must be a number"),
         ({"do": "change", "table": "release", "number": 1}, "does not drive input 1"),
-        ({"do": "rule", "number": 1}, "no output explains"),
+        ({"do": "rule", "number": 1}, "nothing explains"),
         ({"do": "reply", "text": "a\nb"}, "an answer is one line"),
         ({"do": "reply", "text": "a"}, "question must be a number"),
     ],
@@ -427,3 +427,18 @@ def test_a_task_that_polls_now_and_then_is_no_other_rest(tmp_path: Path) -> None
         hand.set(2, 1)
         hand.sees(lambda state: state["mode"] == "paused")
         assert hand.state["waits"] == [("analogue", 0, 4), ("input", 3, 12)]
+
+
+def test_an_input_that_the_program_asks_for_becomes_a_rule(tmp_path: Path) -> None:
+    """A loop polls it, and no output changes."""
+    text = "Dim n\nFor n = 1 To 3\nWhile INX(2) = 0 : End While\nPause INX(2) = 0\nNext\nPause INX(5)\n"
+    with operated(tmp_path / "poll.mnt", text) as hand:
+        for level in (1, 0):
+            hand.rests()
+            hand.set(2, level)
+        hand.rests()
+        (words,) = hand.rules.values()
+        assert words.endswith(" s after it is asked for")
+        hand("rule", number=2)
+        hand("run")
+        hand.sees(lambda state: state["waits"] == [("input", 5, 6)])

@@ -29,7 +29,8 @@ from motionlang.commands.init.recorded.outcome import (
     run_marks,
     run_path,
 )
-from motionlang.commands.init.recorded.recording import MeasuredRecording, Series, noise_of
+from motionlang.commands.init.recorded.recording import MeasuredRecording
+from motionlang.identification.positions import Series
 from motionlang.kernel import Run
 from motionlang.kernel.log import LoggedMove
 
@@ -68,7 +69,7 @@ def switches(
         path = recording.positions.get(axis)
         if path is None or recording.is_late:
             continue
-        least = noise_of(path, AT_REST)
+        least = path.noise(AT_REST)
         theirs, measured, result = _turns(path, least), dict(keys), run
         if not _begins_alike(axis, run, recording, theirs, least):
             measured = _moved(keys, theirs, _turns(run_path(run, axis, recording), least))

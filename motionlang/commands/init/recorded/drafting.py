@@ -43,10 +43,10 @@ from motionlang.commands.init.recorded.recording import (
     short_remarks,
     since,
 )
-from motionlang.commands.init.recorded.rules import MeasuredRule, rules_of
 from motionlang.commands.init.recorded.unrecorded import FittedWorld, Tables, fitted, in_words, subject
 from motionlang.commands.scenario_text import inline
 from motionlang.exploration import TABLES, Entry, entries
+from motionlang.identification import MeasuredRule, rules_of
 from motionlang.kernel import Program, ProgramError, Run, run
 from motionlang.kernel.lang import READ
 from motionlang.kernel.tools import count_of, listed

@@ -23,16 +23,23 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
 from motionlang.commands.init.recorded.levels import levels_of
 from motionlang.commands.init.recorded.outcome import SWAPPED, Label, OutcomeMark, matched, near
-from motionlang.commands.init.recorded.recording import Digital, MeasuredRecording
-from motionlang.commands.init.recorded.rules import MeasuredRule, as_recorded, rules_of
+from motionlang.commands.init.recorded.recording import MeasuredRecording
 from motionlang.commands.scenario_text import inline
-from motionlang.exploration import Entry
+from motionlang.identification import (
+    Digital,
+    Entry,
+    LevelChange,
+    MeasuredRule,
+    as_recorded,
+    channels,
+    rules_of,
+)
 from motionlang.kernel import Run
 
 # Runs that are tried, and rules of one input.
@@ -213,8 +220,8 @@ def _agreement(run: Run, recording: MeasuredRecording, rules: Rules, until: floa
         marks[theirs.label][1].append(theirs)
     outputs = sum(
         _agreeing(
-            [(each.time, 1) for each in right],
-            [(each.time, 1) for each in own],
+            [LevelChange(each.time, 1) for each in right],
+            [LevelChange(each.time, 1) for each in own],
             clock,
             near(recording),
             recording,
@@ -222,11 +229,11 @@ def _agreement(run: Run, recording: MeasuredRecording, rules: Rules, until: floa
         )
         for own, right in marks.values()
     )
-    changes = _changes(run)
+    made = channels((each.channel, each.time, each.value) for each in run.machine.log.inputs)
     inputs = {
         number: _agreeing(
-            [(each.time, each.level) for each in channel.changes],
-            changes[number],
+            channel.changes,
+            made[number].changes if number in made else (),
             clock,
             near(recording) + rules[number].spread,
             recording,
@@ -255,35 +262,25 @@ class _Clock:
         return self._pairs[max(bisect_right(self._theirs, theirs) - 1, 0)]
 
 
-def _changes(run: Run) -> dict[int, list[tuple[float, int]]]:
-    """Return the changes of each input in a run, as time and level."""
-    found: dict[int, list[tuple[float, int]]] = defaultdict(list)
-    for each in run.machine.log.inputs:
-        level = int(bool(each.value))
-        if level != (found[each.channel][-1][1] if found[each.channel] else 0):
-            found[each.channel].append((each.time, level))
-    return found
-
-
 def _agreeing(
-    recorded: list[tuple[float, int]],
-    changes: list[tuple[float, int]],
+    recorded: Sequence[LevelChange],
+    changes: Sequence[LevelChange],
     clock: _Clock,
     tolerance: float,
     recording: MeasuredRecording,
     until: float,
 ) -> int:
-    """Return how many recorded changes a run has, less those that it has besides; each as time and level."""
-    times = [time for time, _ in changes]
+    """Return how many recorded changes a run has, less those that it has besides."""
+    times = [each.time for each in changes]
     used: set[int] = set()
-    for theirs, level in recorded:
+    for theirs, level, _ in recorded:
         apart = tolerance + SHARE * clock.since(theirs)
         close = (
             k
             for expected in (theirs, clock.time(theirs))
             for k in range(bisect_left(times, expected - apart), bisect_right(times, expected + apart))
         )
-        found = next((k for k in close if k not in used and changes[k][1] == level), None)
+        found = next((k for k in close if k not in used and changes[k].level == level), None)
         if found is not None and theirs < until:
             used.add(found)
     end = clock.time(min(until, recording.end)) - tolerance

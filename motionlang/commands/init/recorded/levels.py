@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from motionlang.commands.init.recorded.recording import Series
 from motionlang.exploration import Entry
+from motionlang.identification.positions import Series
 
 # A level changes by more than so many percent, or so many times the noise.
 LEAST, NOISE = 1.0, 6.0

@@ -21,14 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.commands.compare.drift import CLOCK, MAX_CLOCK
-from motionlang.commands.init.recorded.recording import (
-    MeasuredRecording,
-    Series,
-    least_speed,
-    machine_positions,
-    slopes,
-    window_of,
-)
+from motionlang.commands.init.recorded.recording import MeasuredRecording, machine_positions
+from motionlang.identification.positions import Series
 from motionlang.kernel import Run
 from motionlang.kernel.tools import count_of
 
@@ -115,7 +109,7 @@ def _switched(
 def run_path(run: Run, axis: int, recording: MeasuredRecording) -> Series:
     """Return the positions of an axis in a run, sampled as those of a recording, with a rest before and after it."""
     trace, path = run.trace, recording.positions[axis]
-    rest = 2.0 * window_of(path) * recording.step
+    rest = 2.0 * path.window * recording.step
     times = np.arange(-rest, min(trace.end + rest, LONGER * recording.end), recording.step)
     inside = np.clip(times, 0.0, trace.end)
     return machine_positions(Series("", times, trace.at(axis, "position", inside)))
@@ -123,11 +117,11 @@ def run_path(run: Run, axis: int, recording: MeasuredRecording) -> Series:
 
 def _strokes(axis: int, path: Series, recorded: Series) -> Iterator[OutcomeMark]:
     """Yield where an axis starts and stops, by the slopes that show motion in its recording."""
-    window = window_of(recorded)
+    window = recorded.window
     if len(path.times) < 2 * window + 3 or not float(np.ptp(recorded.values)) > 0.0:
         return
-    speeds = slopes(path, window)
-    moves = np.abs(speeds) > least_speed(recorded, window)
+    speeds = path.slopes(window)
+    moves = np.abs(speeds) > recorded.least_speed(window)
     edges = np.flatnonzero(moves[1:] != moves[:-1]).tolist()
     edges = _without_short(edges, moves, window, is_moving=False)  # a slow part of a move
     edges = _without_short(edges, moves, window, is_moving=True)  # noise
@@ -201,9 +195,9 @@ def _at_begin(recording: MeasuredRecording) -> Iterator[Label]:
         if channel.first:
             yield "output", number, 1
     for axis, path in sorted(recording.positions.items()):
-        window = window_of(path)
-        speed = slopes(path, window)[0]
-        if abs(speed) > least_speed(path, window):
+        window = path.window
+        speed = path.slopes(window)[0]
+        if abs(speed) > path.least_speed(window):
             yield "axis", axis, int(np.sign(speed))
 
 

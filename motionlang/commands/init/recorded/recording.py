@@ -10,11 +10,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from motionlang.commands.recording import (
     CHANNELS,
@@ -25,10 +22,10 @@ from motionlang.commands.recording import (
     Recording,
     read_recording,
 )
+from motionlang.identification import Digital, LevelChange, Observation
+from motionlang.identification.positions import LEAST, Series
 from motionlang.kernel import Diagnostic, ProgramError
 from motionlang.kernel.tools import count_of
-
-Array = NDArray[np.float64]
 
 # Changes of a contact within this time, s, are one change.
 BOUNCE = 0.02
@@ -38,71 +35,20 @@ BETWEEN = 0.05
 LEVELS = 0.5
 # A step of a position is a new zero if it is so many times as large as the steps around it.
 STEP = 8.0
-# An axis moves above this share of its largest speed. The slope of its position has this share of noise at most, given
-# by so many standard deviations; rows of a rough slope, and of the widest one.
-MOVING, NOISE, ROUGH, MAX_WINDOW = 0.02, 6.0, 5, 100
-# A motion of less than this share of the range is none.
-LEAST = 1e-5
-# The median of a second difference of noise, in standard deviations.
-SECOND = 1.65
 # A pulse of fewer rows may have been missed elsewhere.
 SHORT_ROWS = 2.5
 
 
-class RecordedChange(NamedTuple):
-    """A change of a channel to a level; it lies within `within` of `time`, s."""
-
-    time: float
-    level: int
-    within: float
-
-
-class Digital(NamedTuple):
-    """A digital channel: the column, the first level, and its changes; `bounces` of them were taken as one each."""
-
-    column: str
-    first: int
-    changes: tuple[RecordedChange, ...]
-    bounces: int
-
-    @property
-    def shortest(self) -> float:
-        """The shortest time between two changes, s."""
-        return min((b.time - a.time for a, b in pairwise(self.changes)), default=float("inf"))
-
-
-class Series(NamedTuple):
-    """Sampled values of a column."""
-
-    column: str
-    times: Array
-    values: Array
-
-
 @dataclass(frozen=True)
-class MeasuredRecording:
-    """The recorded channels and axes of a machine, by number; times in s, `step` is the usual one from row to row.
+class MeasuredRecording(Observation):
+    """The recorded channels and axes of a machine, by number."""
 
-    `is_late` is True if it begins after power-up, `is_placed` if its times count from power-up.
-    """
-
-    name: str
-    begin: float
-    end: float
-    step: float
+    name: str = ""
     inputs: dict[int, Digital] = field(default_factory=dict)
-    outputs: dict[int, Digital] = field(default_factory=dict)
     analogue: dict[int, Series] = field(default_factory=dict)
     positions: dict[int, Series] = field(default_factory=dict)
-    is_late: bool = False
-    is_placed: bool = True
     sentence: str = ""
-    gaps: tuple[tuple[float, float], ...] = ()
     remarks: tuple[Diagnostic, ...] = ()
-
-    def has_gap(self, begin: float, end: float) -> bool:
-        """True if rows are missing between two times."""
-        return any(a < end and b > begin for a, b in self.gaps)
 
 
 def measured_recording(table: RecordedTable, mapping: Sequence[Mapped]) -> MeasuredRecording:
@@ -115,10 +61,10 @@ def measured_recording(table: RecordedTable, mapping: Sequence[Mapped]) -> Measu
             hint=f"--map input.3=NAME --map output.1=NAME; its columns are {', '.join(table.columns)}",
         )
     found = MeasuredRecording(
-        recording.name,
         float(recording.times[0]),
         float(recording.times[-1]),
         recording.step,
+        name=recording.name,
         sentence=recording.sentence,
         gaps=recording.gaps,
         remarks=recording.remarks,
@@ -142,7 +88,7 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
         # A change within its uncertainty of the zero comes after it, as that of an output does at power-up.
         before = [each.level for each in channel.changes if each.time + each.within <= zero]
         changes = tuple(
-            RecordedChange(max(each.time - zero, 0.0) / clock, each.level, each.within / clock)
+            LevelChange(max(each.time - zero, 0.0) / clock, each.level, each.within / clock)
             for each in channel.changes[len(before) :]
         )
         return Digital(channel.column, before[-1] if before else channel.first, changes, channel.bounces)
@@ -152,7 +98,7 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
         if recording.is_late or not found.first:
             return found
         # It was off before power-up, and is on in the first row.
-        on = RecordedChange(0.0, 1, recording.step / clock)
+        on = LevelChange(0.0, 1, recording.step / clock)
         return found._replace(first=0, changes=(on, *found.changes))
 
     def series(each: Series) -> Series:
@@ -204,7 +150,7 @@ def _digital(signal: RecordedSignal, recording: Recording) -> Digital:
     levels = levels != (signal.factor is not None and signal.factor < 0.0)
     # A row for each change has its time; a sampled channel has changed between two rows.
     changes = [
-        RecordedChange(
+        LevelChange(
             float(times[k + 1]) if recording.events else float(times[k] + times[k + 1]) / 2,
             int(levels[k + 1]),
             recording.step / 2 if recording.events else float(times[k + 1] - times[k]) / 2,
@@ -215,9 +161,9 @@ def _digital(signal: RecordedSignal, recording: Recording) -> Digital:
     return Digital(signal.column, int(levels[0]), tuple(settled), bounces)
 
 
-def _settled(changes: Sequence[RecordedChange]) -> tuple[list[RecordedChange], int]:
+def _settled(changes: Sequence[LevelChange]) -> tuple[list[LevelChange], int]:
     """Return changes without those of a bouncing contact, and how many changes bounced."""
-    found: list[RecordedChange] = []
+    found: list[LevelChange] = []
     bounces = k = 0
     while k < len(changes):
         last = k
@@ -246,36 +192,6 @@ def machine_positions(series: Series) -> Series:
     jumps &= times < GAP * np.median(times)
     moved = np.where(jumps, (before + after) / 2.0, steps)
     return series._replace(values=series.values[0] + np.append(0.0, np.cumsum(moved)))
-
-
-def noise_of(path: Series, times: float) -> float:
-    """Return so many standard deviations of the noise of a position, or a small share of its range."""
-    noise = float(np.median(np.abs(np.diff(path.values, 2)))) / SECOND
-    return max(times * noise, LEAST * float(np.ptp(path.values)))
-
-
-def window_of(path: Series) -> int:
-    """Return over how many rows to each side a slope shows motion above the noise."""
-    if len(path.values) < 2 * ROUGH:
-        return 1
-    noise = noise_of(path, 1.0)
-    fastest = float(np.abs(path.values[ROUGH:] - path.values[:-ROUGH]).max()) / ROUGH
-    return int(np.clip(np.ceil(NOISE * noise / (MOVING * fastest)), 1, MAX_WINDOW)) if fastest else 1
-
-
-def slopes(path: Series, window: int) -> Array:
-    """Return the speed of an axis at each row, between the rows so many before and after it."""
-    rows = np.arange(len(path.times))
-    before, after = np.maximum(rows - window, 0), np.minimum(rows + window, len(rows) - 1)
-    found: Array = (path.values[after] - path.values[before]) / (path.times[after] - path.times[before])
-    return found
-
-
-def least_speed(path: Series, window: int) -> float:
-    """Return the speed above which an axis moves, which no noise reaches over so many rows to each side."""
-    seconds_apart = 2.0 * window * float(np.median(np.diff(path.times)))
-    noise = float(np.median(np.abs(np.diff(path.values, 2)))) / SECOND
-    return max(MOVING * float(np.abs(slopes(path, window)).max()), NOISE * noise / seconds_apart)
 
 
 def short_remarks(recording: MeasuredRecording) -> Iterator[str]:
