@@ -9,11 +9,11 @@ from motionlang.lab.pvt.drive.drive import IDLE, Drive
 from motionlang.lab.pvt.drive.packet import OVERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
 from motionlang.lab.pvt.drive.serial import BufferCommand
-from motionlang.lab.pvt.drive.serial_port import PortRefused, SerialPort
 from motionlang.lab.pvt.export import export
 from motionlang.lab.pvt.fit import track_error
 from motionlang.lab.pvt.points import plan_points
 from motionlang.lab.pvt.scurve import scurve
+from tests.lab.pvt.drive.serial_port import PortRefused, SerialPort
 
 
 def port() -> SerialPort:
