@@ -1,6 +1,6 @@
 """The world around a cycle: the cycle is played, and each input is then described by the simplest rule that keeps it.
 
-    on from the start          where it makes no difference, also if the cycle does not need it
+    on from the start          where it makes no difference, also if the cycle does not need it and comes again
     follows a position         it changes in the middle of moves: where the axis passes again, or at steps along its way
     on from a time             a change that is made once
     follows an output          each of its changes comes after one of the output; inverted, too
@@ -13,8 +13,8 @@ At first all of them answer when they are asked, or at their times if the cycle 
 a host that come again follow an output, or come when asked. A level that changes while an axis jogs rises with it.
 
 A rule holds if each task does what it did in the played run, in the same order: moves, outputs, and prints but for
-their figures; or if it moves so and says less of what is wrong. A task that moves no axis may come further or less far.
-No other handler runs but one of a timer.
+their figures; or if it moves so and says less of what is wrong. A move that is over at once is another one than a move
+with a way. A task that moves no axis may come further or less far. No other handler runs but one of a timer.
 """
 
 from __future__ import annotations
