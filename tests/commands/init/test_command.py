@@ -116,6 +116,13 @@ def test_a_sensor_that_ends_a_jog_comes_in_the_jog(cell: Cell) -> None:
     assert inputs(cell, text, "old.mnt") == [{"channel": 2, "at": 0.3}]
 
 
+def test_a_question_how_many_gets_a_small_answer(cell: Cell) -> None:
+    piece = 'MOVER.0 = 20 : GO.0 : PAUSE IDLE.0\n? "PIECE ", i\n'
+    found = guesses(cell, f'INPUT "how many ", n\nFOR i = 1 TO n\n{piece}NEXT\n? "READY"\nEND\n')
+    assert [each["text"] for each in found["answer"]] == ["1"]  # type: ignore[attr-defined]
+    assert cell("run", "old.prg", "--format", "none").out.endswith("READY\n")
+
+
 UNUSED = f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nIF INX.2 THEN OUTX.6 = 1\nENDL\n"
 
 
