@@ -23,10 +23,12 @@ from typing import Any, ClassVar, Self
 from motionlang.cli.complaints import complain
 from motionlang.cli.parser import Commands, Parser, both, either, sentence
 from motionlang.cli.signals import SIGNALS
-from motionlang.kernel import Diagnostic, Source
+from motionlang.kernel import Diagnostic, Source, dialect_of
 from motionlang.kernel.files import is_plain, same_file, unwritable
 from motionlang.kernel.tools import nearest, need, shown
 
+# What commands read in a folder, besides programs and golden files.
+DATA = (".toml", ".mcapi-log")
 # The optional library that writes a format.
 WRITERS = {".png": "matplotlib", ".parquet": "pyarrow"}
 
@@ -290,8 +292,11 @@ def _paths(value: object) -> list[str]:
 
 
 def _is_in(path: str, used: str) -> bool:
-    """True if a path leads to a file that exists, and that is `used` or directly in it."""
-    return os.path.exists(path) and (same_file(path, used) or same_file(os.path.dirname(path) or ".", used))
+    """True if a path leads to a file that exists, and that is `used` or what a command reads in that folder."""
+    if not os.path.exists(path) or same_file(path, used):
+        return os.path.exists(path)
+    is_read = dialect_of(path) is not None or path.endswith(DATA) or ".golden." in path
+    return is_read and os.path.realpath(path).startswith(os.path.join(os.path.realpath(used), ""))
 
 
 def _name(of: Field[Any]) -> str:

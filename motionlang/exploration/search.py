@@ -280,7 +280,9 @@ class Explorer:
         """Take note of what the last trial repeats without a rest."""
         cycle = self.trials.last.cycle
         is_unusual = any(each.table == "answer" and is_probe(each) for _, each in trial.timeline)
-        if cycle is None or is_unusual:  # nobody makes 7771 pieces
+        if (
+            cycle is None or is_unusual
+        ):  # an unusual count makes an endless batch, and no cycle of the machine
             return
         for move in trial.moves:
             self.axes[move.line].add(move.axis)

@@ -136,7 +136,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
 
 
 def nowhere(explorer: Explorer) -> MachineCycle:
-    """Return what stands for a cycle where none was found: the way to the state that took most changes."""
+    """Return the path to the state that took most changes, for a program without a cycle."""
     visits = [node.first for node in explorer.nodes.values()]
     furthest = max(visits, key=lambda visit: len(visit.timeline), default=Visit((), 0.0))
     none = frozenset[int]()

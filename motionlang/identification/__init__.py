@@ -1,4 +1,4 @@
-"""What drives an input: the forms of rules that explain its changes, each measured.
+"""Identification of the rule behind an input: the forms that explain all its changes, each measured.
 
 Problem. The changes of an input, the switches of outputs, the positions of axes and what a program asks for, from a
 recording, a run in which a person changes inputs, or a played run (`Observation`).

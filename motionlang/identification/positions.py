@@ -113,7 +113,10 @@ class Series(NamedTuple):
 
 
 class _Region(NamedTuple):
-    """Where an input is active: keys of the entry, its edges, the spread of the positions in user units, a comment."""
+    """A region of an axis in which an input is active: the keys of its entry, and the comment on it.
+
+    `edges` are its pairs of bounds, and `spread` is that of the measured positions, all in user units.
+    """
 
     keys: Entry
     edges: tuple[tuple[float, float], ...]

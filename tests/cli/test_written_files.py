@@ -30,6 +30,7 @@ TWICE = "both write"
         ("sweep a.mnt --scenarios worlds --vary rate=1,2 -o worlds/one.toml", USED),
         ("improve a.mnt --patch a.mnt", USED),
         ("verify . -o a.mnt", USED),
+        ("verify . -o worlds/one.toml", USED),
         ("profile a.mnt --to p.json -o p.json", TWICE),
         ("cover a.mnt --html c.html --lcov c.html", TWICE),
         ("plot a.mnt out.html -o out.html", TWICE),
@@ -45,6 +46,12 @@ def test_a_file_that_is_in_use_is_not_written(command: str, why: str, cell: Cell
     assert (ran.status, ran.out) == (2, "")
     assert why in ran.err
     assert {path: path.read_bytes() for path in cell.folder.rglob("*") if path.is_file()} == before
+
+
+def test_a_report_in_the_folder_that_is_read_is_written_again(cell: Cell) -> None:
+    cell.write("line/a.mnt", "MOVER(0) = 10 : GO(0)\nPAUSE IDLE(0)\n")
+    for _ in range(2):
+        assert cell("check", "line", "-o", "line/report.json").status == 0
 
 
 def test_the_output_of_plot_is_its_picture(cell: Cell) -> None:

@@ -7,7 +7,6 @@ from motionlang.kernel.lang import LoopDependencies
 from tests.cases import cases
 
 Read = tuple[str, int | None]
-Expected = tuple[set[Read], set[Read], set[int], str]
 
 
 def found_in(name: str, text: str, at: int = 0) -> LoopDependencies | None:
