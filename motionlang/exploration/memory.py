@@ -142,7 +142,7 @@ class Memory:
         """Return the bits of the variables that are needed before each point, to a fixed point."""
         points, uses, statements = self._graph.points, self._graph.uses, self._structure.statements
         following = self._following()
-        before: list[list[int]] = [[] for _ in points]
+        before: list[list[int]] = [[] for _ in following]
         for p, onward in enumerate(following):
             for q in onward:
                 before[q].append(p)
@@ -155,8 +155,11 @@ class Memory:
             is_decision = point.branches or waits or point.kind in (CALL, GO)
             decides.append(self._mask(p, use.reads) if is_decision else 0)
             carries.append((self._mask(p, use.sets), self._mask(p, use.parts), self._mask(p, use.reads)))
-        needed = [0] * len(points)
-        waiting = deque(reversed(range(len(points))))
+        joints = len(following) - len(points)
+        decides += [0] * joints
+        carries += [(0, 0, 0)] * joints
+        needed = [0] * len(following)
+        waiting = deque(reversed(range(len(following))))
         queued = set(waiting)
         while waiting:
             p = waiting.popleft()
@@ -175,18 +178,28 @@ class Memory:
         return needed
 
     def _following(self) -> list[list[int]]:
-        """Return the points that may follow each point, into calls and behind all calls of a list that returns."""
+        """Return the points that may follow each point, into calls and behind all calls of a list that returns.
+
+        A register that a program computes may call any macro. All such calls go through one joint after the points,
+        and come back through another one, so that the work is linear.
+        """
         points = self._graph.points
         lists = {p: name for name, own in self._graph.ranges.items() for p in own}
-        behind: defaultdict[str, list[int]] = defaultdict(list)
-        following = [list(self._graph.within[p]) for p in range(len(points))]
         macros = [unit.entry for unit in self._structure.units if unit.kind == "macro"]
+        behind: defaultdict[str, list[int]] = defaultdict(list)
+        into, back = len(points), len(points) + 1
+        following = [*(list(self._graph.within[p]) for p in range(len(points))), macros, []]
         for p, point in enumerate(points):
-            # A register that a program computes may call any macro.
-            called = [point.calls] if point.calls >= 0 else macros
-            for entry in called if point.kind in (CALL, ENTER) else ():
-                following[p].append(entry)
-                behind[lists.get(entry, "")] += point.next
+            if point.kind not in (CALL, ENTER):
+                continue
+            if point.calls >= 0:
+                following[p].append(point.calls)
+                behind[lists.get(point.calls, "")] += point.next
+            else:
+                following[p].append(into)
+                following[back] += point.next
+        for name in {lists.get(entry, ""): None for entry in macros}:
+            behind[name].append(back)
         for p, point in enumerate(points):
             if point.kind == RETURN or not following[p]:
                 following[p] += behind.get(lists.get(p, ""), ())
