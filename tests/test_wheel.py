@@ -66,6 +66,7 @@ WITHOUT_NUMPY = {
     "pvt export --positions 0,10,20 --time 10 --format pdo": "motionlang pvt",
     "servo step": "motionlang servo",
     "diff move.mnt move.mnt": "motionlang diff",
+    "panel move.mnt": "motionlang panel",
     "compare move.mnt recorded.csv --map position.0=2": "motionlang compare",
     "compare move.mnt recorded.csv": "motionlang compare",
 }

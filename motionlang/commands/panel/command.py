@@ -14,8 +14,6 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.readers import whole
 from motionlang.cli.run_command import Prepared
 from motionlang.commands.panel.roles import roles_of
-from motionlang.commands.panel.server import PanelServer
-from motionlang.commands.panel.session import PanelSession
 from motionlang.kernel import STDIN, CheckedSettings, Diagnostic, Program, Terminated
 from motionlang.kernel.files import reason
 from motionlang.processes.workers import Workers
@@ -55,6 +53,9 @@ examples:
             raise WrongOption("panel reads a file, which it watches for changes: save the program first")
 
     def run(self) -> int:
+        from motionlang.commands.panel.server import PanelServer  # needs numpy, which the help does not
+        from motionlang.commands.panel.session import PanelSession
+
         machine = self.machine_path()
         watched = [self.file, machine or os.path.splitext(self.file)[0] + ".machine.toml"]
         workers = Workers(1)
