@@ -164,15 +164,6 @@ def test_every_kind_has_its_row_on_the_page() -> None:
         assert f"`{kind}`" in page, kind
 
 
-@pytest.mark.slow
-def test_the_log_takes_as_much_of_the_disk_as_it_may(cell: Cell) -> None:
-    cell.write("a.mnt", "Dim i As Integer\nLoop\ni = (i * 75 + 74) Mod 65537\nOUT(0) = i Mod 2\nEnd Loop\n")
-    ran = cell("run", "a.mnt", "--format", "json", "--set", "run.log=1e-5")
-    report = json.loads(ran.out)
-    assert (ran.status, report["status"], report["diagnostics"][0]["code"]) == (1, "fault", "limit")
-    assert "the log of the run has reached 1e-05 GB" in ran.err
-
-
 def test_an_event_before_the_first_statement_has_no_line(cell: Cell) -> None:
     """The enable input is off at power-up, before any statement has run."""
     cell.write("a.machine.toml", "[axis.0]\nenable_input = 2\n[[input]]\nchannel = 2\nat = 0.5\nvalue = 1\n")
