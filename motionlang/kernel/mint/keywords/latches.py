@@ -66,7 +66,12 @@ class Latch:
             self._watch()
 
     def read(self) -> bool:
-        """True if a position was captured or, with `again`, captured since the last read."""
+        """True if a position was captured or, with `again`, captured since the last read.
+
+        The program asks for the input that triggers the latch.
+        """
+        if self.armed and self.trigger_mode == BY_INPUT:
+            self._controller.inputs.note_read(self.input)
         caught = self.caught
         if caught and self.again:
             self.caught = False
@@ -257,7 +262,8 @@ ROWS = (
             _ARMED.format("LATCHENABLE"), default=0.0, low=0, high=1, group="latches"),
     reading_row("LATCH", "latch", "bool", _CAUGHT, "1 when a latch has caught a position.", _ARMED),
     reading_row("LATCHVALUE", "latch", "number", _VALUE, "Captured value of a latch.", _ARMED),
-    _setting("FASTSELECT", "input", "axis", "integer", "3", "The input that triggers the fast latch of the axis.", 999),
+    _setting("FASTSELECT", "input", "axis", "integer", "3", "The input that triggers the fast latch of the axis.", 999,
+             selects="input"),
     Keyword("FASTENABLE", "", "setting", "W", "axis", "integer", _ENABLE,
             "Arm the fast latch of the axis; it forgets what it had caught.",
             _FAST.format("FASTLATCH"), low=0, high=1, group="latches"),

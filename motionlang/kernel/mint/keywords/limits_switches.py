@@ -42,9 +42,11 @@ class SwitchInputs(StoredSettings):
 
     def set(self, name: str, axis: int, value: float) -> None:
         """Assign an input; if the input is already active, its function starts at once."""
-        before = self.is_on(name, axis)
-        super().set(name, axis, value)
-        if self.is_on(name, axis) is not before:
+        with self.controller.reads.replaced():  # it is the controller that reads here
+            before = self.is_on(name, axis)
+            super().set(name, axis, value)
+            has_changed = self.is_on(name, axis) is not before
+        if has_changed:
             _MEANINGS[name](self, axis, not before)
 
     def default(self, axis: int) -> None:
