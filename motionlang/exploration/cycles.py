@@ -32,8 +32,9 @@ CHANGE, ANSWER, TOGETHER, BEFORE, BY_ITSELF, CUT, WHOLE_RUN, STATE = 1.0, 0.25, 
 LATER = 2.0
 # A person names the cycle that carries out most of a program: so much for all of its statements.
 WHOLE = 0.4
-# Work of one line without a rest that comes by changes, and neither switches nor prints anything, may be a jog.
-JOGGING = 5.0
+# What a person does that only jogs, and work of one line without a rest, may be no work if it neither switches nor
+# prints anything.
+JOGGING = 10.0
 # A cycle that says something, and nothing of what is wrong, makes a piece; the more of it is wrong, the less it counts.
 SAID, WRONG = 2.0, 20.0
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
@@ -78,6 +79,20 @@ class MachineCycle:
     def states(self) -> tuple[RestState | None, ...]:
         """The states of the cycle, in order."""
         return tuple(each.source for each in self.transitions)
+
+    @property
+    def made(self) -> set[tuple[Channel, object]]:
+        """The changes that lead there and are made in it."""
+        changes = (
+            *(one for _, one in self.visit.timeline),
+            *(one for each in self.transitions for one in each.causes),
+        )
+        return {(each.channel, each.value) for each in changes}
+
+    @property
+    def asked(self) -> list[RestState | None]:
+        """Its states that ask a question."""
+        return [each.source for each in self.transitions if any(one.table == "answer" for one in each.causes)]
 
     @property
     def said(self) -> list[str]:
@@ -130,14 +145,25 @@ def cycles(
     for each in sorted(
         found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
     ):
-        best.setdefault(frozenset(each.states) if each.states else each.work, each)
-    return list(best.values())
+        best.setdefault((each.repeats, frozenset(each.states) if each.states else each.work), each)
+    menus = {each.transitions[-1].source for each in best.values() if _ends_menu(each)}
+    return [each for each in best.values() if not (each.repeats and menus.intersection(each.asked))]
+
+
+def _ends_menu(cycle: MachineCycle) -> bool:
+    """True if a run ends by the answer to a question that has several others: each is given once."""
+    *others, last = cycle.asked or [None]
+    return not cycle.repeats and others.count(last) > 1 and last == cycle.transitions[-1].source
 
 
 def _is_done(each: Transition) -> bool:
     """True if a person does something that leads on, and to nothing that is wrong."""
-    is_wrong = each.is_by_itself or each.is_cut or wrong(_said([each]))
-    return not is_wrong and each.target != each.source
+    return _is_right(each) and each.target != each.source
+
+
+def _is_right(each: Transition) -> bool:
+    """True if a person does something, and nothing that is wrong follows."""
+    return not (each.is_by_itself or each.is_cut or wrong(_said([each])))
 
 
 def _loops(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
@@ -170,22 +196,60 @@ def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -
         lines = tuple(line for each in transitions for line in each.lines)
         value = _value(transitions, visit, work - known.at_start, known)
         outputs = _outputs(transitions)
+        value -= JOGGING * (not (_done(transitions) or outputs or _said(transitions)))
         fault = _fault(outputs, _said(transitions), known)
         yield MachineCycle(transitions, visit, lines, work, _done(transitions), outputs, value, fault)
 
 
 def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
-    """Yield the runs that end after a piece; all changes that lead there are changes of the cycle."""
+    """Yield the runs that end after a piece; all changes that lead there are changes of the cycle.
+
+    Where a run ends by a choice, each other choice is made once before.
+    """
     for node in nodes.values():
         for each in node.transitions:
             if each.target is None:
-                lines = (*sorted(node.moved - set(each.lines)), *each.lines)
-                work = each.work | each.visit.moved
+                is_choice = any(one.table != "input" for one in each.causes)
+                others = _others(nodes, node, each) if is_choice else ()
+                path = (*chain.from_iterable(others), each)
+                lines = dict.fromkeys((*sorted(node.moved), *(line for one in path for line in one.lines)))
+                work, outputs = _work(path) | each.visit.moved, _outputs(path)
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
-                value = _value((each,), each.visit, work - known.at_start, known)
+                value = _value(path, each.visit, work - known.at_start, known)
                 value -= CHANGE * changes + WHOLE_RUN
-                fault = _fault(each.outputs, _said([each]), known)
-                yield MachineCycle((each,), each.visit, lines, work, each.done, each.outputs, value, fault)
+                fault = _fault(outputs, _said(path), known)
+                yield MachineCycle(path, each.visit, tuple(lines), work, _done(path), outputs, value, fault)
+
+
+def _others(
+    nodes: Mapping[RestState | None, StateNode], node: StateNode, last: Transition
+) -> Iterator[tuple[Transition, ...]]:
+    """Yield the ways from a state back to it that do what no one before did, but for what ends the run."""
+    known = {last.does}
+    for first in node.transitions:
+        if first.visit is not last.visit or first.target is None or not (first.causes and _is_right(first)):
+            continue
+        way = _way_back(nodes, first, node.state)
+        if way and not {each.does for each in way} <= known and any(each.acts for each in way):
+            known |= {each.does for each in way}
+            yield way
+
+
+def _way_back(
+    nodes: Mapping[RestState | None, StateNode], first: Transition, state: RestState | None
+) -> tuple[Transition, ...]:
+    """Return the shortest way back to a state that begins with a transition; none if there is none that is right."""
+    ways: deque[tuple[Transition, ...]] = deque([(first,)])
+    known = {first.target}
+    while ways:
+        way = ways.popleft()
+        if way[-1].target == state:
+            return way
+        for each in nodes[way[-1].target].transitions if len(way) < MAX_LENGTH else ():
+            if each.target is not None and each.target not in known and each.causes and _is_right(each):
+                known.add(each.target)
+                ways.append((*way, each))
+    return ()
 
 
 def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle]:

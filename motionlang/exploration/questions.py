@@ -10,7 +10,7 @@ changes: an input to its other level, a number to the values at which the compar
     behind             what led on, with one more channel that was read on the way, such as a look that decides, and
                        with all inputs of the way that together bring something new
     with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
-    in a move          an input that was read while an axis moved, or starts a handler, in the middle of the move; at
+    in a move          an input that was read while an axis moved, starts a handler or stops an axis, in its middle; at
                        first once for each line that moves an axis and what moves after it, late from each state
     as often           an input that is read again behind its change, at rest or in a move, comes and goes one to three
                        times, and as often as the comparisons ask for that differ by the same each time
@@ -329,7 +329,7 @@ def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Caus
 def changes_in_moves(
     explorer: Explorer, trial: Trial, since: float, until: float, causes: Causes
 ) -> list[ChangeInMove]:
-    """Return the inputs that are read while an axis moves, or that start a handler, but for those that changed so."""
+    """Return the inputs that are read in moves, start a handler or stop an axis, but for those that changed so."""
     if any(each.moment.line for each in causes):
         return []
     motions: dict[int, TrialMotion] = {}
@@ -342,7 +342,8 @@ def changes_in_moves(
         levels = levels_at(trial.timeline, motion.begin)
         onward = frozenset(each.line for each in part.motions if each.begin > motion.begin)
         read = _read(explorer, trial, motion.begin + 2 * EXACT, motion.end - EXACT)
-        inputs = (*(number for table, number in read if table == "input"), *sorted(explorer.triggers))
+        inputs = [number for table, number in read if table == "input"]
+        inputs += sorted(explorer.triggers | explorer.stops)
         for number in dict.fromkeys(inputs):
             found.append(ChangeInMove(_flipped(("input", number), levels), motion, onward))
     return found

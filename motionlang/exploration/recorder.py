@@ -14,8 +14,8 @@ from motionlang.kernel.lang import Snapshot
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move. A run
 # that is not recorded ends if this holds for the larger number.
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
-# It ends earlier if it only prints again and again: so many lines in a time, s.
-MAX_PRINTED, FLOOD = 500, 0.5
+# It ends earlier if it only prints, or starts moves, again and again: so many lines or moves in a time, s.
+MAX_PRINTED, MAX_STARTED, FLOOD = 500, 200, 0.5
 # So often the user's time is looked at, in statements.
 CHECKED = 500
 # Readings of a statement that are no further apart are one span, s.
@@ -56,20 +56,19 @@ class TrialRecorder(Hook):
 
     `remembered` are the numbers of the variables whose values are recorded. What is no reading of the program is
     left out: `written` are the channels that a statement only writes, by its source offset, since a write reads the old
-    value, too; `switches` are the inputs that only the axes read.
+    value, too.
     """
 
     def __init__(
         self,
         remembered: Sequence[int],
         written: Mapping[int, Collection[Channel]],
-        switches: Collection[Channel],
         since: float,
         snapshot_at: float = inf,
         is_cut: Callable[[], bool] = lambda: False,
     ) -> None:
         super().__init__(lambda task, time, offset: None, between=self._between)
-        self._remembered, self._written, self._switches = remembered, written, switches
+        self._remembered, self._written = remembered, written
         self._machine: Machine | None = None
         # True once the user's time is up, which also ends a run.
         self._is_cut = is_cut
@@ -107,6 +106,8 @@ class TrialRecorder(Hook):
         self._places: set[int] = set()
         self._moves = self._news = self._printed = 0
         self._news_at = -inf
+        # The number of moves at which the time is looked at next, and when it was last, s.
+        self._started, self._started_at = 0, -inf
         # The calls of the last statement of each task: how many, the innermost one, and their offsets.
         self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
 
@@ -143,7 +144,7 @@ class TrialRecorder(Hook):
             return  # a hint asks what would end a wait
         number = 0 if table == "key" else number  # of any terminal
         at, now = self._place(), self._machine.clock.now
-        if at < 0 or (table, number) in self._switches or (table, number) in self._written.get(at, ()):
+        if at < 0 or (table, number) in self._written.get(at, ()):
             return
         spans, moves = self.readings[at][table, number], self._machine.moves_made
         if spans and now - spans[-1].last <= SAME_SPAN and spans[-1].moves == moves:
@@ -173,7 +174,7 @@ class TrialRecorder(Hook):
             self._interrupted = self._at
         self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
         assert scheduler is not None
-        if not self.count % CHECKED and self._is_cut():
+        if (not self.count % CHECKED and self._is_cut()) or self._hurries(time):
             scheduler.until = time
             return True
         if not self._is_recorded:
@@ -201,6 +202,15 @@ class TrialRecorder(Hook):
             return False
         scheduler.until = time
         return True
+
+    def _hurries(self, time: float) -> bool:
+        """True if the program starts move after move without time to carry them out."""
+        assert self._machine is not None
+        if self._machine.moves_made < self._started:
+            return False
+        is_soon = time - self._started_at < FLOOD
+        self._started, self._started_at = self._machine.moves_made + MAX_STARTED, time
+        return is_soon
 
     def _remember_now(self) -> None:
         """Record the memory as it is when a record begins."""

@@ -21,10 +21,26 @@ from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
 from motionlang.exploration.recorder import HANDLERS, Seen
 from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests, without_memory
-from motionlang.exploration.roles import beside_work, commands, numbers_that_start, reached_in, triggers_of
+from motionlang.exploration.roles import (
+    beside_work,
+    commands,
+    numbers_that_start,
+    reached_in,
+    set_up,
+    stops,
+    triggers_of,
+)
 from motionlang.exploration.states import DELAY, Causes, Departure, Effect, StateNode, Transition, Visit, Work
 from motionlang.exploration.switches import FoundSwitches
-from motionlang.exploration.trials import Act, Trial, TrialMotion, Trials, plain, without_figures
+from motionlang.exploration.trials import (
+    SHORTEST_MOVE,
+    Act,
+    Trial,
+    TrialMotion,
+    Trials,
+    plain,
+    without_figures,
+)
 from motionlang.exploration.values import is_probe, printed_for
 from motionlang.kernel import Program
 from motionlang.kernel.log import Printed, Switched
@@ -72,8 +88,11 @@ class Explorer:
         self.started_by = sorted(numbers_that_start(events) - self.given)
         # Handlers that command nothing count or take note.
         quiet = [each for each in events if not commands(structure, each)]
-        self.counters = triggers_of(quiet)
+        # So do latches: what is given to them comes and goes.
+        self.counters = triggers_of(quiet) | set_up(structure)
         self._commanding = self.handlers.difference(*(reached_in(structure, each) for each in quiet))
+        # The inputs that stop an axis.
+        self.stops = stops(structure)
         # The timelines that were tried, and the changes in the middle of a move: at all, and from each state.
         self.tried: set[Timeline] = set()
         self.changed_in: set[Hashable] = set()
@@ -110,14 +129,21 @@ class Explorer:
         self, timeline: Timeline, since: float, is_settled: Callable[[Trial], bool] = lambda trial: False
     ) -> Trial:
         """Run the program with a timeline, and with what leaves no choice; see `Trials.play`."""
+        has_switches = True
+
+        def is_enough(trial: Trial) -> bool:
+            nonlocal has_switches
+            has_switches = not self.switches.add_for_homing(self.trials.last)
+            return not has_switches or is_settled(trial)
+
         while True:
             self.progress(min(self.trials.work / self.whole, 1.0))
-            trial = self.trials.play(timeline, since, is_settled)
+            trial = self.trials.play(timeline, since, is_enough)
             for at, channels in trial.readings.items():
                 self.alone |= channels.keys() if len(channels) <= questions.MAX_READ else set()
                 read = list(channels) if len(channels) <= questions.MAX_READ else self.banks.get(at, ())
                 self.read |= dict.fromkeys(each for each in read if each not in self.given)
-            if self.trials.is_over or not self.switches.add(self.trials.last):
+            if self.trials.is_over or (has_switches and not self.switches.add(self.trials.last)):
                 return trial
             self.trials.give(self.switches.settings)
 
@@ -151,7 +177,7 @@ class Explorer:
             trial = self.play((), 0.0)
             self._seen |= trial.seen
             rest = self.arrive(start, start.first, (), trial)[1]
-            start.left = [Departure(start.first, questions.at_power_up(self, trial, rest))]
+            start.left.append(Departure(start.first, questions.at_power_up(self, trial, rest)))
         has_tried = False
         while not self.trials.is_over:
             self._forget()
@@ -245,9 +271,9 @@ class Explorer:
                     if any(each.table == "answer" for each in how):
                         source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST_REST
-                handled = self._handled(trial, since, rest.end) if how else []
-                if handled:
-                    self._link(source, back, how, rest.state, trial, since, max(handled), known, is_over)
+                did = [*self._handled(trial, since, rest.end), *_jogs(trial, since, rest.end)] if how else []
+                if did:
+                    self._link(source, back, how, rest.state, trial, since, max(did), known, is_over)
                 continue  # the same stay
             reached, way = self._reached(rest, trial)
             first = first or rest
@@ -263,8 +289,11 @@ class Explorer:
         return news, first
 
     def _arrival(self, trial: Trial, rest: Rest) -> float:
-        """Return when a rest is reached: what begins soon after the last move, and is none of the rest, leads there."""
-        until = rest.begin
+        """Return when a rest is reached: what begins soon after the last move, and is none of the rest, leads there.
+
+        So does a jog, during which the machine is at rest.
+        """
+        until = max([rest.begin, *_jogs(trial, rest.begin, rest.begin + BODY)])
         for place in rest.state:
             begun = trial.statements.get(place.task, ())
             first, last = (
@@ -280,9 +309,8 @@ class Explorer:
         """Take note of what the last trial repeats without a rest."""
         cycle = self.trials.last.cycle
         is_unusual = any(each.table == "answer" and is_probe(each) for _, each in trial.timeline)
-        if (
-            cycle is None or is_unusual
-        ):  # an unusual count makes an endless batch, and no cycle of the machine
+        # An unusual count makes an endless batch, and no cycle of the machine; nor are moves without time for them.
+        if cycle is None or is_unusual or cycle.period < SHORTEST_MOVE:
             return
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
@@ -377,7 +405,10 @@ class Explorer:
         self._moved.update(lines)
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
-        fails = any(each.ended == "fault" for each in part.moves)
+        is_stopped = any(
+            each.table == "input" and each.number in self.stops and each.value for each in causes
+        )
+        fails = is_stopped or any(each.ended == "fault" for each in part.moves)
         self._ask_in_moves(source, visit, causes, trial, since, until)
         source.transitions.append(
             Transition(
@@ -471,6 +502,11 @@ def _later(causes: Causes, visit: Visit, way: Visit, since: float) -> Causes:
 
 def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
     return any(since <= move.begin < rest.begin for move in trial.moves)
+
+
+def _jogs(trial: Trial, since: float, until: float) -> list[float]:
+    """Return when motion without an end of its own begins between two times."""
+    return [each.begin for each in trial.moves if each.end == inf and since <= each.begin < until]
 
 
 def _whole(moves: Sequence[TrialMotion]) -> Iterator[TrialMotion]:

@@ -100,6 +100,11 @@ class Transition:
     begun: frozenset[int]
     variants: dict[Causes, None] = field(default_factory=dict)
 
+    @property
+    def is_jog(self) -> bool:
+        """True if it only begins motion without an end, during which the state goes on."""
+        return self.source == self.target and bool(self.work) and not self.done
+
 
 @dataclass(eq=False)
 class Departure:

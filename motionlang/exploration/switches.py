@@ -32,13 +32,19 @@ class FoundSwitches:
             f"axis.{axis}.{key}": value for axis, keys in self.axes.items() for key, value in keys.items()
         }
 
-    def add(self, result: Run) -> bool:
-        """Put a switch where an axis of a run homes or waits for one that never comes; False if none does."""
-        added = [
-            self._put(number, result, SWITCHES)
+    def add_for_homing(self, result: Run) -> bool:
+        """Put a switch where an axis of a run homes for ever, until the program gives up; False if none does."""
+        homing = [
+            number
             for number, axis in result.controller.axes.items()
             if axis.homing is not None and axis.homing.endless_motion
         ]
+        put = [self._put(number, result, SWITCHES) for number in homing]
+        return any(put)
+
+    def add(self, result: Run) -> bool:
+        """Put a switch where an axis of a run homes or waits for one that never comes; False if none does."""
+        added = [self.add_for_homing(result)]
         scheduler = result.machine.scheduler
         for task in scheduler.tasks if scheduler is not None and not any(added) else ():
             wait = scheduler.wait_of(task)  # type: ignore[union-attr]  # it has tasks

@@ -17,7 +17,7 @@ from typing import NamedTuple
 from motionlang.exploration.changes import Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import Begun, Comparison, Readings, Seen, TrialRecorder
-from motionlang.exploration.roles import switches_of, written_at
+from motionlang.exploration.roles import written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 
@@ -78,7 +78,7 @@ class TrialMotion(NamedTuple):
     @property
     def is_work(self) -> bool:
         """True if it is no homing, and takes longer than a move to where the axis is."""
-        return not self.is_homing and self.end - self.begin > SHORTEST_MOVE
+        return not (self.is_homing or self.is_short)
 
 
 class Trial(NamedTuple):
@@ -121,6 +121,11 @@ class Trial(NamedTuple):
     def has_ended(self) -> bool:
         """True if the program ended, or failed."""
         return self.status in ("ended", "fault", "stopped") and not self.is_stuck
+
+    @property
+    def begun(self) -> int:
+        """The number of different statements that have begun."""
+        return sum(isinstance(each, int) for each in self.seen)
 
     @property
     def motions(self) -> list[TrialMotion]:
@@ -174,7 +179,7 @@ class Trials:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self._used = used
         self.memory = Memory(self.program.structure)
-        self._written, self._switches = written_at(self.program), switches_of(self.program)
+        self._written = written_at(self.program)
         self.count = self.work = 0
         # The run of the last trial, as it is until the next one.
         self.last: Run
@@ -192,7 +197,7 @@ class Trials:
         return self._used() >= 1.0
 
     def _recorder(self, since: float, snapshot_at: float = inf) -> TrialRecorder:
-        return TrialRecorder(self.memory.all, self._written, self._switches, since, snapshot_at, self._is_cut)
+        return TrialRecorder(self.memory.all, self._written, since, snapshot_at, self._is_cut)
 
     def give(self, settings: Mapping[str, object]) -> None:
         """Add settings for all later trials."""
@@ -299,7 +304,7 @@ class Trials:
         Without a time the run ends where that of a machine file does.
         """
         self.count += 1
-        recorder = TrialRecorder((), {}, (), inf, is_cut=self._is_cut)
+        recorder = TrialRecorder((), {}, inf, is_cut=self._is_cut)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
         return result, {each for each in recorder.seen if isinstance(each, int)}

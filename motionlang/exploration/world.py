@@ -20,7 +20,7 @@ with a way. A task that moves no axis may come further or less far. No other han
 from __future__ import annotations
 
 from collections import Counter, defaultdict, deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
@@ -43,7 +43,7 @@ from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
-from motionlang.exploration.states import DELAY, Causes, Visit, delay
+from motionlang.exploration.states import DELAY, Causes, Transition, Visit, delay
 from motionlang.exploration.trials import Trial, TrialMotion, is_short_move, without_figures
 from motionlang.exploration.values import first_write
 from motionlang.identification import Digital, Entry, Observation, channels, place, rules_of
@@ -106,10 +106,11 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     """
     best: tuple[tuple[bool, bool, int], MachineCycle, Trial] | None = None
     explained = 0
-    for cycle in likeliest[:PLAYED]:
+    for cycle in _latest_first(explorer, likeliest)[:PLAYED]:
         trial = played(explorer, cycle, times=times)
         has_level = any(each.table == "analogue" for _, each in trial.timeline)
-        if has_level and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
+        jogs = any(each.end == inf for each in trial.moves)
+        if (has_level or jogs) and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
             back = played(explorer, cycle, times=times, goes_back=True)
             trial = max(trial, back, key=lambda each: _count(cycle, each))
         found_with, wanted = _found_with(cycle), (True, True, min(times, ENOUGH))
@@ -133,6 +134,21 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
     (*_, count), cycle, trial = best
     return _Description(explorer, *_with_more_on(explorer, count, cycle, trial)).world()
+
+
+def _latest_first(explorer: Explorer, likeliest: Sequence[MachineCycle]) -> Sequence[MachineCycle]:
+    """Return cycles; of runs that jog and need the changes of the first one, the one with the latest changes is first.
+
+    A change that comes earlier cuts the jog off.
+    """
+    if not likeliest or likeliest[0].repeats:
+        return likeliest
+    same = [each for each in likeliest if not each.repeats and each.made == likeliest[0].made]
+    trials = [played(explorer, each) for each in same if len(same) > 1]
+    if not any(each.end == inf for trial in trials for each in trial.moves):
+        return likeliest
+    best = max(zip(same, trials, strict=True), key=lambda each: (each[1].begun, each[1].time))[0]
+    return [best, *(each for each in likeliest if each is not best)]
 
 
 def nowhere(explorer: Explorer) -> MachineCycle:
@@ -178,7 +194,7 @@ def _with_more_on(
 def _count(cycle: MachineCycle, trial: Trial) -> int:
     """Return how often a trial has come through a cycle: how often each of its lines has moved an axis."""
     since = cycle.visit.time if cycle.repeats else 0.0
-    counts = Counter(each.line for each in trial.moves if each.begin >= since)
+    counts = Counter(each.line for each in trial.moves if each.begin >= since and not each.is_short)
     return min((counts[line] for line in cycle.work), default=0)
 
 
@@ -210,12 +226,13 @@ def played(
 ) -> Trial:
     """Play a cycle some times: each change at the state that it leads on from, and others from the start.
 
-    With `goes_back` a level that has led on is 0 again at the next change.
+    With `goes_back` a level or an input that has led on is 0 again at the next change.
     """
-    policy: dict[RestState | None, Causes] = {
-        each.source: each.causes for each in cycle.transitions if each.causes
-    }
-    from_start = policy.pop(None, ())
+    policy: dict[RestState | None, deque[Transition]] = defaultdict(deque)
+    for each in cycle.transitions:
+        if each.causes:
+            policy[each.source].append(each)
+    from_start = policy.pop(None)[0].causes if None in policy else ()
     timeline: Timeline = (*((0.0, each) for each in others), *made_at(0.0, from_start), *cycle.visit.timeline)
     at = cycle.visit.time
 
@@ -226,13 +243,19 @@ def played(
     before: RestState | None = None
     back: list[Change] = []
     trial = explorer.play(timeline, max(at, 0.0), is_due)
-    most = times * len(policy) + EXTRA
+    most = times * sum(map(len, policy.values())) + EXTRA
     for turn in range(SLOW * most):
         if turn >= most and not 0 < _count(cycle, trial) < times:
             break
         found = explorer.rests(trial)
         due = next(_due(found, policy, at, before), None)
-        changes = () if due is None else _missing(policy[due.state], timeline) or _again(policy[due.state])
+        changes: Causes = ()
+        jogs = False
+        if due is not None:
+            chosen = policy[due.state][0]
+            policy[due.state].rotate(-1)
+            changes = _missing(chosen.causes, timeline) or _again(chosen.causes)
+            jogs = chosen.is_jog
         if not changes:  # elsewhere: go round by other transitions
             due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
             changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
@@ -242,18 +265,24 @@ def played(
         if due is None or not changes:
             break
         reset = _reset(explorer, changes, timeline) if _is_same(due, at, before) else ()
-        before, begin = due.state, max(due.begin, at)
+        before, begin = None if jogs else due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
         new = {each.channel for each in changes}
         made = made_at(at, (*(each for each in back if each.channel not in new), *reset))
         made = (*made, *made_at(round(at + (PERIOD / 2 if reset else 0.0), 4), changes))
         timeline = (*timeline, *made)
-        back = [each._replace(value=0.0) for each in changes if each.table == "analogue" and goes_back]
+        back = [each._replace(value=0.0) for each in changes if goes_back and _goes_back(each)]
         since = at
         # An input that comes and goes passes rests that are no new ones.
         at = max([at, *(each.levels(time)[-1][0] for time, each in made if each.moment.every)])
         trial = explorer.play(timeline, since, is_due)
     return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and _count(cycle, trial) >= COMPARED)
+
+
+def _goes_back(change: Change) -> bool:
+    return change.table == "analogue" or (
+        change.table == "input" and change.value == 1.0 and change.moment == AT_REST
+    )
 
 
 def _leading_on(explorer: Explorer, timeline: Timeline, rest: Rest, at: float) -> Causes:
@@ -310,7 +339,7 @@ def _reset(explorer: Explorer, causes: Causes, timeline: Timeline) -> Causes:
     )
 
 
-def _onward(explorer: Explorer, state: RestState, policy: Mapping[RestState | None, Causes]) -> Causes:
+def _onward(explorer: Explorer, state: RestState, policy: Collection[RestState | None]) -> Causes:
     """Return the first changes on the shortest way from a state to one of a policy; none if there is no way."""
     ways: deque[tuple[RestState, Causes]] = deque([(state, ())])
     known = {state}
@@ -327,7 +356,7 @@ def _onward(explorer: Explorer, state: RestState, policy: Mapping[RestState | No
 
 
 def _due(
-    found: list[Rest], policy: Mapping[RestState | None, Causes], at: float, before: RestState | None
+    found: list[Rest], policy: Collection[RestState | None], at: float, before: RestState | None
 ) -> Iterator[Rest]:
     """Yield the rests from a time on that last until a change of the policy, but for the stay that was just changed."""
     for rest in found:
@@ -362,7 +391,7 @@ class _Description:
                 self._writes[change].append(time)
         most = max(map(len, self._flips.values()), default=0)
         self._until = LONGER * end + PULSES["every"] * most
-        self._along = _along(explorer, trial)
+        self._along, self._beyond = _along(explorer, trial), _beyond(explorer, trial)
         self._outputs = channels((each.channel, each.time, each.value) for each in trial.outputs)
         self._blinking = _blinking(self._outputs, trial, explorer.rests(trial))
         others = tuple(each for each in trial.timeline if each[1].table != "input")
@@ -387,8 +416,12 @@ class _Description:
             tried = self._rules(first, pulses, is_pulse=True) if len(times) > 1 else ()
             self._take({**self._settings, change.table: [*rest, *each]} for each in tried)
         others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
-        for number in sorted(others) if self._cycle.repeats else ():
-            self._take([self._with([{"channel": number, **ON}], number)], nothing_more=True)
+        # What makes no difference is on first: what then does more may need it.
+        takes: tuple[Callable[[Settings], bool], ...] = (self._does_no_more, self._does_more)
+        for takes_it, number in product(takes, sorted(others) if self._cycle.repeats else ()):
+            settings = self._with([{"channel": number, **ON}], number)
+            if settings != self._settings and takes_it(settings):
+                self._settings = settings
         changed = {each.channel for _, each in self._trial.timeline} | written(self._explorer.program)
         for table, number in self._explorer.read:
             if table in NUMBERS and (table, number) not in changed:
@@ -406,24 +439,53 @@ class _Description:
         left = [each for each in entries(self._settings, "input") if each["channel"] not in numbers]
         return {**self._settings, "input": sorted((*left, *made), key=lambda each: number_in("input", each))}
 
-    def _take(self, tried: Iterable[Settings], *, nothing_more: bool = False) -> None:
+    def _take(self, tried: Iterable[Settings]) -> None:
         """Take the first settings that hold."""
         for each in tried:
-            if each == self._settings or self._holds(each, nothing_more=nothing_more):
+            if each == self._settings or self._holds(each):
                 self._settings = each
                 return
 
-    def _holds(self, settings: Settings, *, nothing_more: bool) -> bool:
-        """True if each task does what it did in the played run, and other tasks nothing if `nothing_more`."""
+    def _holds(self, settings: Settings) -> bool:
+        """True if each task does what it did in the played run."""
+        result, begun, found = self._run(settings)
+        if self._trial.status == "ended" and result.status != "ended":
+            return False
+        return begun & self._explorer.handlers <= self._handled and _is_as_good(self._wanted, found)
+
+    def _does_no_more(self, settings: Settings) -> bool:
+        """True if the same holds, and other tasks do nothing."""
+        found = self._run(settings)[2]
+        return self._holds(settings) and not any(
+            own and not self._wanted.get(task) for task, own in found.items()
+        )
+
+    def _does_more(self, settings: Settings) -> bool:
+        """True if a run says more than so far, but for what is wrong, and moves as often at least by half.
+
+        What it does is wanted from then on.
+        """
+        had, (_, begun, found) = self._run(self._settings)[2], self._run(settings)
+        (right, faults), (more, others) = _said(had), _said(found)
+        moved, moves = (
+            Counter(each[2] for own in _moves(acts).values() for each in own) for acts in (had, found)
+        )
+        if (
+            right >= more
+            or others > faults
+            or begun & self._explorer.handlers - self._handled
+            or any(2 * moves[line] < count for line, count in moved.items())
+        ):
+            return False
+        self._wanted = found
+        return True
+
+    def _run(self, settings: Settings) -> tuple[Run, set[int], Acts]:
+        """Return a run in a world, the statements that begin, and what it does."""
         result, begun = self._explorer.trials.run_in(settings, self._until)
         log = result.machine.log
         moves = ((each.start_time, each.axis, each.line, is_short_move(each)) for each in log.moves)
-        if self._trial.status == "ended" and result.status != "ended":
-            return False
-        found = self._acts(moves, log.outputs, log.prints)
-        if nothing_more and any(own and not self._wanted.get(task) for task, own in found.items()):
-            return False
-        return begun & self._explorer.handlers <= self._handled and _is_as_good(self._wanted, found)
+        return result, begun, self._acts(moves, log.outputs, log.prints)
 
     def _acts(
         self,
@@ -458,12 +520,13 @@ class _Description:
 
     def _describe_as_asked(self) -> None:
         """Let all channels change when they are asked for, or where an axis passes."""
-        asked: list[Entry] = []
+        asked: dict[int, Entry] = {}
         for number, changes in sorted(self._flips.items()):
             is_on = changes == [(0.0, 1.0)]
-            asked.append(self._along.get(number) or {"channel": number, **(ON if is_on else ASKED)})
+            asked[number] = self._along.get(number) or {"channel": number, **(ON if is_on else ASKED)}
         answers = _answers(self._explorer, self._trial) if self._count > 1 else {}
-        self._take([{**self._with(asked, *self._flips), **answers}])
+        tried = [asked, {**asked, **self._beyond}]
+        self._take({**self._with([*each.values()], *each), **answers} for each in tried)
 
     def _describe_as_pulses(self) -> None:
         """Let all inputs without a rule come and go: the times of one fit those of the others."""
@@ -614,7 +677,10 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
         end = place(a, time + every / 2 if every else (time + min(move.end, time + 1.0)) / 2)
         between = [round(each, 2) for each in sorted((place(a, time), end))]
         entry: Entry = {"channel": number, "axis": move.axis, "between": between}
-        if move.end == inf:  # a jog: as far as it goes
+        if between[0] == between[1] and not every:  # it has cut the move off
+            edge = "above" if place(a, time) > place(a, move.begin) else "below"
+            entry = {"channel": number, "axis": move.axis, edge: between[0]}
+        elif move.end == inf:  # a jog: as far as it goes
             entry |= {"every": round(abs(place(a, time + every) - place(a, time)), 2), "times": MARKS}
         elif max(begins) - min(begins) > SAME:
             entry |= {"every": round((begins[1] - begins[0]) / times, 2), "times": MARKS}
@@ -624,6 +690,39 @@ def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
         if every_uu > between[1] - between[0]:  # a mark ends before the next one
             found[number] = entry
     return found
+
+
+def _beyond(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
+    """Return the entries by the position of an axis for inputs that come on while it jogs: beyond it, or at steps."""
+    axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
+    moves = [
+        (time, each, _jogging(trial, axes, time)) for time, each in trial.timeline if each.table == "input"
+    ]
+    found: dict[int, Entry] = {}
+    for number in sorted({each.number for _, each, move in moves if each.value and move is not None}):
+        on = [(time, move) for time, each, move in moves if each.number == number and each.value]
+        off = [
+            time for time, each, _ in moves if each.number == number and not each.value and time > on[0][0]
+        ]
+        (time, move), *others = on
+        if move is None or not off:
+            continue
+        a = axes[move.axis]
+        first, middle = place(a, time), (place(a, time) + place(a, off[0])) / 2
+        step = round(abs(place(a, others[0][0]) - first), 2) if others else 0.0
+        entry: Entry = {"channel": number, "axis": move.axis}
+        if step > abs(middle - first):
+            between = [round(each, 2) for each in sorted((first, middle))]
+            found[number] = {**entry, "between": between, "every": step, "times": MARKS}
+        else:
+            found[number] = {**entry, "above" if first > place(a, move.begin) else "below": round(first, 2)}
+    return found
+
+
+def _jogging(trial: Trial, axes: Mapping[int, Axis], time: float) -> TrialMotion | None:
+    """Return the motion without an end of its own in which a time lies."""
+    begun = [each for each in trial.moves if each.begin <= time and each.end == inf]
+    return begun[-1] if begun and axes[begun[-1].axis].velocity(time) else None
 
 
 def _passing(trial: Trial, axes: Mapping[int, Axis], time: float, moment: Moment) -> TrialMotion | None:
