@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from math import inf, nan, pi
 
 import pytest
@@ -30,10 +29,6 @@ from motionlang.kernel.planners.superposition import added
 from motionlang.kernel.planners.table_motion import table_curve
 from motionlang.lab.pvt.fit import motion_error, track_error
 from motionlang.lab.pvt.points import Point, plan_points
-from tests.lab.notes.vendor.dissect import (
-    dac_timing,
-    discrete_trapezoid,
-)
 
 Piece = tuple[float, float, float, float, float, float, float]
 # x³ - 6x² + 9x + 2, with extrema at 1 and 3 and an inflection at 2.
@@ -220,32 +215,6 @@ def test_the_distance_that_a_speed_needs() -> None:
 )
 def test_what_makes_a_move_possible(given: dict[str, float], texts: list[str]) -> None:
     assert remedies(None, given) == texts
-
-
-def test_the_time_of_a_dac_step() -> None:
-    """12 bits are 2048 steps each way: 204.8 is 0.1 a step, at 400 a step in 0.25 ms."""
-    timing = dac_timing(204.8, 400.0)
-    assert (timing.steps, timing.step_speed, timing.step_time) == pytest.approx((2048, 0.1, 0.00025))
-    assert timing.electrical_time_constant == pytest.approx(0.00025 * 2 / 3)
-    assert timing.hold_time == pytest.approx(0.00025 * 10 / 3)
-    assert dac_timing(204.8, 400.0, 2).steps == 2
-    assert dac_timing(204.8, 400.0, 32).steps == 2**31
-    for bits in (1, 33):
-        with pytest.raises(ValueError, match=f"2 to 32 bits, not {bits}"):
-            dac_timing(204.8, 400.0, bits)
-
-
-def test_the_updates_of_the_discrete_trapezoid() -> None:
-    """Speeds of 3 in steps of 1: 1 + 2 + 3 … 3 + 2 + 1 of 20 leave 2 for the creep."""
-    made = discrete_trapezoid(20, 3, 1)
-    assert made[-1][1] == 20
-    assert [velocity for velocity, _ in made][:3] == [1, 2, 3]
-    assert sum(velocity for velocity, _ in made) == 20
-    assert max(abs(b[0] - a[0]) for a, b in pairwise(made)) == 1
-    assert discrete_trapezoid(1, 3, 1) == [(1, 1)]
-    # At 2, another step of 2 leaves nothing to stop in, which it need not: 4 is reached with it.
-    assert discrete_trapezoid(4, 3, 2) == [(2, 2), (2, 4)]
-    assert discrete_trapezoid(9, 3, 1) == [(1, 1), (2, 3), (3, 6), (2, 8), (1, 9)]
 
 
 def test_a_curve_from_pieces_has_their_positions() -> None:

@@ -16,7 +16,6 @@ from motionlang.kernel.servo.discrete import discretise
 from motionlang.kernel.servo.response import DROP, _crossing, _first_fall
 from motionlang.kernel.servo.samples import SampleBlock, SettlingWindow, next_other_side, next_side
 from motionlang.kernel.servo.step import COLUMNS, LoopStep, at_rest
-from tests.lab.notes.vendor.slip import _slid
 
 
 @pytest.mark.parametrize(
@@ -84,11 +83,6 @@ def test_the_sum_of_errors_of_an_lm628_has_24_bits() -> None:
     state, (*_, first, _) = step((motion, (8_388_600.0, *memory)), 100.0, 0.0, True)  # type: ignore[arg-type]
     _, (*_, second, _) = step(state, -256.0, 0.0, True)
     assert second / first == 32766.0 / 32767.0
-
-
-def test_a_load_that_slips_follows_as_fast_as_it_can() -> None:
-    assert _slid([0.0, -10.0, -10.0, -10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
-    assert _slid([0.0, 10.0, 10.0, 10.0], 4.0, 0.5) == 0.5 * (6.0 + 2.0)
 
 
 def test_an_override_holds_for_one_update_unless_it_says_so() -> None:
