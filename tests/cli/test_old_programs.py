@@ -148,7 +148,13 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+# `init` finds the world of each of these in less than a second; both languages and edits are among them.
+QUICK = ("glue.mnt", "bagwelder.prg", "coiler.prg", "rotary.mccl")
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in CASES]
+)
 def test_it_runs_from_nothing(cell: Cell, name: str) -> None:
     edits, found, seconds = CASES[name]
     program = cell.write(name, (OLD / name).read_bytes())

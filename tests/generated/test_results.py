@@ -21,7 +21,7 @@ from tests.mutants.recorder import ACTIVE
 # Cases of one test. The normal run compares one case in `STEP`, and those with a kind of text that their family has not
 # had before.
 BATCH, STEP = 1, 5
-SLOW = ("tasks-5",)
+SLOW = ("tasks-5", "words-14")
 
 
 def batches() -> dict[str, list[str]]:

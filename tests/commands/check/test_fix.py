@@ -107,7 +107,14 @@ def test_more_fixes_than_a_check_reports_mistakes(cell: Cell) -> None:
     assert path.read_text() == "a = 1\n" + "IF a Then\n a = INX(0)\nEnd If\n" * 40 + "OUT(0) = a\n"
 
 
-@pytest.mark.parametrize("path", V4, ids=[path.stem for path in V4])
+# Old machines whose world takes `init` more than half a second; others of them are always tested.
+SLOW = ("label", "palletiser", "drill", "packer")
+
+
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, id=path.stem, marks=pytest.mark.slow if path.stem in SLOW else ()) for path in V4],
+)
 def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     """The programs are those of the gallery, the manual and the old machines in the notation of Mint v4.
 

@@ -77,10 +77,10 @@ MC1
 }
 
 
-@cases("name, speeds", [
-    ("glue.mnt", {"SPEED[0]@7": 400.0}),
-    ("glue.mccl", {"2SV@2:2": 37800.0}),
-])  # fmt: skip
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "speeds"), [("glue.mnt", {"SPEED[0]@7": 400.0}), ("glue.mccl", {"2SV@2:2": 37800.0})]
+)
 def test_a_glue_task_opens_and_closes_at_the_same_place_of_the_move(
     name: str, speeds: dict[str, float]
 ) -> None:
@@ -124,7 +124,8 @@ MC1
 """
 
 
-@cases("name, text", [
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "text"), [
     ("press.mnt", PRESS.format(down="OUTX(2) = 1", up="OUTX(2) = 0")),
     ("press.mnt", PRESS.format(down="MOVEA(1) = 2 : GO(1)", up="MOVEA(1) = 0 : GO(1)").replace(
         "Run", "SPEED(1) = 100 : ACCEL(1) = 4000 : DECEL(1) = 4000\nRun")),
