@@ -1,7 +1,4 @@
-"""Speeds that change in motion: the examples of the FEEDRATE page, and more.
-
-The page is MN1270 p. 79-81.
-"""
+"""Speeds, rates and limits that change in motion: what `tests/spec` does not show."""
 
 from __future__ import annotations
 
@@ -11,46 +8,6 @@ from motionlang.kernel import Rejected
 from tests.kernel.controller.machines import machine, until
 
 
-def test_case_1_in_speed_mode_a_new_speed_acts_at_once() -> None:
-    c = machine(speed=30.0, feedrate_mode=0)
-    c.load_by(0, 50.0)
-    c.go([0])
-    at_25 = c.crossing_time(0, 25.0)
-    assert at_25 == pytest.approx(0.3 + 20.5 / 30)
-    until(c, at_25).configure(0, "speed", 10.0)
-    assert until(c, at_25 + 0.1).velocity(0) == pytest.approx(20.0)
-    assert until(c, at_25 + 0.2).velocity(0) == pytest.approx(10.0)
-    assert c.remaining(0) == pytest.approx(21.0)
-    assert c.idle_time(0) == pytest.approx(at_25 + 0.2 + 20.5 / 10 + 0.1)
-
-
-def test_case_2_in_feed_rate_mode_a_move_keeps_the_speed_it_was_loaded_with() -> None:
-    c = machine(speed=30.0, feedrate_mode=1)
-    c.load_by(0, 50.0)
-    c.go([0])
-    until(c, c.crossing_time(0, 25.0)).configure(0, "speed", 10.0)
-    c.load_by(0, 20.0)
-    c.go([0])
-    until(c, 9.0)
-    first, second = (move.profile for move in c.log.moves)
-    assert first is not None
-    assert second is not None
-    assert (first.peak_speed, second.peak_speed) == (30.0, 10.0)
-    assert first.duration == pytest.approx(50 / 30 + 0.3)
-    assert second.duration == pytest.approx(20 / 10 + 0.1)
-
-
-def test_case_3_the_override_halves_the_speed_until_it_is_switched_off() -> None:
-    c = machine(speed=20.0, feedrate_mode=2, override=0.5)
-    c.load_to(0, 20.0)
-    c.go([0])
-    assert until(c, 0.5).velocity(0) == pytest.approx(10.0)
-    c.configure(0, "feedrate_mode", 0)
-    assert until(c, 0.6).velocity(0) == pytest.approx(20.0)
-    # 4.5 at 0.5 s, 1.5 while speeding up, 12 at 20, 2 to brake
-    assert c.idle_time(0) == pytest.approx(0.5 + 0.1 + 12 / 20 + 0.2)
-
-
 def test_the_override_acts_on_both_kinds_of_move_at_once() -> None:
     for mode in (2, 3):
         c = machine(feedrate_mode=mode)
@@ -58,20 +15,6 @@ def test_the_override_acts_on_both_kinds_of_move_at_once() -> None:
         c.go([0])
         until(c, 1.0).configure(0, "override", 1.5)
         assert until(c, 2.0).velocity(0) == pytest.approx(15.0)
-
-
-def test_an_override_of_nothing_holds_the_axis_and_keeps_the_move() -> None:
-    c = machine(feedrate_mode=2)
-    c.load_by(0, 20.0)
-    c.go([0])
-    until(c, 1.0).configure(0, "override", 0.0)
-    assert until(c, 5.0).velocity(0) == 0.0
-    assert c.position(0) == pytest.approx(9.5 + 0.5)
-    assert not c.is_idle(0)
-    c.configure(0, "override", 1.0)
-    assert c.idle_time(0) == pytest.approx(5.0 + 1.1)
-    assert until(c, 9.0).position(0) == 20.0
-    assert len(c.log.moves) == 1
 
 
 def test_both_kinds_of_move_share_one_buffer() -> None:
@@ -85,39 +28,12 @@ def test_both_kinds_of_move_share_one_buffer() -> None:
     assert [move.profile and move.profile.peak_speed for move in c.log.moves] == [10.0, 20.0]
 
 
-def test_a_new_rate_acts_on_the_braking_that_is_still_to_come() -> None:
-    c = machine(feedrate_mode=0)
-    c.load_by(0, 20.0)
-    c.go([0])
-    until(c, 1.0).configure(0, "decel", 25.0)
-    assert c.idle_time(0) == pytest.approx(1.0 + (10.5 - 2.0) / 10 + 0.4)
-
-
-def test_a_rate_too_low_to_stop_with_any_more_leaves_the_move_as_it_is() -> None:
-    c = machine(feedrate_mode=0)
-    c.load_by(0, 20.0)
-    c.go([0])
-    until(c, 2.05).configure(0, "decel", 1.0)  # it has been braking for 0.05 s
-    assert c.idle_time(0) == pytest.approx(2.1)
-    assert until(c, 3.0).position(0) == 20.0
-
-
 def test_a_speed_does_not_wake_an_axis_that_is_stopping() -> None:
     c = machine(feedrate_mode=0)
     c.move_to(0, 20.0)
     until(c, 1.0).stop(0)
     until(c, 1.05).configure(0, "speed", 20.0)
     assert until(c, 9.0).position(0) == pytest.approx(10.0)
-
-
-def test_a_live_speed_of_zero_holds_the_move_until_the_speed_rises() -> None:
-    c = machine(feedrate_mode=0)
-    c.move_to(0, 20.0)
-    until(c, 1.0).configure(0, "speed", 0.0)
-    held = until(c, 5.0).position(0)
-    assert (until(c, 9.0).position(0), c.velocity(0), c.is_idle(0)) == (held, 0.0, False)
-    c.configure(0, "speed", 10.0)
-    assert (until(c, 19.0).position(0), c.is_idle(0)) == (20.0, True)
 
 
 @pytest.mark.parametrize("shape", ["trapezoid", "scurve"])

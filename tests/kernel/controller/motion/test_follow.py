@@ -8,16 +8,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from motionlang.kernel import Controller, Rejected, Trace
-from tests.cases import cases, examples
+from motionlang.kernel import Controller, Rejected
+from tests.cases import cases
 from tests.kernel.controller.machines import cam, machine, offset, until
-
-quick = settings(max_examples=examples(60))
 
 
 def at(c: Controller, axis: int, time: float) -> float:
@@ -29,24 +24,6 @@ def speed(c: Controller, axis: int, time: float) -> float:
 
 
 # ------------------------------------------------------------------------------------------------ gearing
-
-
-def test_a_slave_repeats_its_master_at_the_ratio() -> None:
-    c = machine()
-    c.define_position(1, 5.0)
-    c.gear(1, 0, -0.5, command="FOLLOW", line=2)
-    c.move_to(0, 20.0)
-    assert not c.is_idle(1)
-    until(c, 1.0)
-    assert (c.position(0), c.position(1)) == pytest.approx((9.5, 5.0 - 4.75))
-    assert c.velocity(1) == pytest.approx(-5.0)
-    until(c, 9.0)
-    assert c.position(1) == pytest.approx(-5.0)
-    assert c.master_of(1) == 0
-    assert c.moving() == []  # a slave at rest does not delay the end of a run
-    c.move_to(0, 0.0)
-    assert c.moving() == [0, 1]
-    assert until(c, 20.0).position(1) == pytest.approx(5.0)
 
 
 def test_the_log_has_one_entry_for_all_of_the_following() -> None:
@@ -87,18 +64,6 @@ def test_a_new_zero_of_the_master_does_not_move_the_slave() -> None:
     c.define_position(1, 7.0)
     c.move_by(0, 1.0)
     assert until(c, 20.0).position(1) == pytest.approx(8.0)
-
-
-def test_with_a_ramp_the_slave_catches_up_with_the_velocity_at_its_own_rate() -> None:
-    c = machine()
-    c.jog(0, 10.0)
-    until(c, 1.0).gear(1, 0, 2.0, ramp=True)  # 20 counts/s, at 100 counts/s²
-    assert until(c, 1.1).velocity(1) == pytest.approx(10.0)
-    assert until(c, 1.2).velocity(1) == pytest.approx(20.0)
-    assert until(c, 2.2).position(1) == pytest.approx(2.0 + 20.0)
-    c.gear(1, 0, 0.5, ramp=True)
-    assert until(c, 2.35).velocity(1) == pytest.approx(5.0)
-    assert until(c, 3.0).velocity(1) == pytest.approx(5.0)
 
 
 @pytest.mark.parametrize(("speed", "back"), [(9.0, 0.0), (-9.0, 0.0), (6.0, -2.0)])
@@ -149,29 +114,6 @@ def test_a_slave_that_is_off_follows_no_master() -> None:
         c.gear(1, 0, 1.0)
 
 
-@quick
-@given(
-    st.lists(st.tuples(st.floats(0.05, 2.0), st.floats(-30.0, 30.0)), min_size=1, max_size=5),
-    st.floats(-3.0, 3.0),
-    st.sampled_from(["trapezoid", "sinusoidal", "scurve", "parabolic"]),
-)
-def test_gearing_is_exact_through_any_moves(
-    moves: list[tuple[float, float]], ratio: float, shape: str
-) -> None:
-    c = machine(shape=shape)
-    c.gear(1, 0, ratio)
-    for pause, target in moves:
-        c.move_to(0, target)
-        until(c, c.clock.now + pause)
-    end = c.clock.now
-    for k in range(101):
-        t = k * end / 100.0
-        assert at(c, 1, t) == pytest.approx(ratio * at(c, 0, t), abs=1e-9)
-        assert speed(c, 1, t) == pytest.approx(ratio * speed(c, 0, t), abs=1e-9)
-    trace = Trace(c).sample(1000.0)
-    assert np.abs(trace.get(1, "position") - ratio * trace.get(0, "position")).max() < 1e-9
-
-
 def test_watches_on_a_slave_are_exact() -> None:
     c = machine()
     seen: list[float] = []
@@ -182,17 +124,6 @@ def test_watches_on_a_slave_are_exact() -> None:
     assert seen == pytest.approx([1.05])
 
 
-def test_an_encoder_that_the_world_turns_is_a_master_too() -> None:
-    c = machine()
-    c.gear(1, 3, 0.1, encoder=True)
-    until(c, 1.0)
-    c.drive_encoder(3, 1000.0, 500.0)
-    assert until(c, 3.0).position(1) == pytest.approx(100.0)
-    assert (c.encoder_position(3), c.encoder_velocity(3)) == pytest.approx((1000.0, 1000.0))
-    c.drive_encoder(3, 0.0)
-    assert until(c, 5.0).position(1) == pytest.approx(100.0)
-
-
 # -------------------------------------------------------------------------------------------------- shears
 
 
@@ -200,26 +131,6 @@ def shear(c: Controller, *segments: tuple[float, float]) -> None:
     for distance, over in segments:
         c.load_fly(1, 0, distance, over, command="FLY")
     c.go([1])
-
-
-def test_a_flying_shear_by_its_figures() -> None:
-    """The slave reaches the web's speed in 200 of the master, and follows it for 500.
-
-    It stops in 200 and returns in 800.
-    """
-    c = machine(buffer_size=10, speed=100.0, accel=1e6)
-    shear(c, (100.0, 200.0), (500.0, 500.0), (100.0, 200.0), (-350.0, 400.0), (-350.0, 400.0))
-    c.jog(0, 100.0)
-    until(c, 30.0)
-    starts = [move.start_time for move in c.log.moves if move.command == "FLY"]
-    at_200 = c.axes[0].profiles[1].crossing(200.0)
-    assert at_200 is not None
-    assert starts == pytest.approx([0.0, at_200, at_200 + 5.0, at_200 + 7.0, at_200 + 11.0])
-    assert [at(c, 1, t) for t in starts] == pytest.approx([0.0, 100.0, 600.0, 700.0, 350.0])
-    assert [speed(c, 1, t) for t in starts] == pytest.approx([0.0, 100.0, 100.0, 0.0, -175.0], abs=1e-3)
-    assert speed(c, 1, at_200 + 2.0) == pytest.approx(100.0)
-    assert c.position(1) == pytest.approx(0.0, abs=1e-9)
-    assert c.is_idle(1)
 
 
 def test_a_shear_rests_when_its_master_does_and_goes_on_with_it() -> None:
@@ -254,34 +165,6 @@ def test_a_shear_that_is_over_at_speed_brakes() -> None:
     assert until(c, 12.0).position(1) == pytest.approx(6.5)
 
 
-@quick
-@given(
-    st.lists(st.tuples(st.floats(-9.0, 9.0), st.floats(1.0, 9.0)), min_size=1, max_size=5),
-    st.floats(1.0, 40.0),
-    st.sampled_from(["trapezoid", "sinusoidal", "scurve"]),
-)
-def test_a_shear_is_where_it_should_be_at_every_join(
-    segments: list[tuple[float, float]], end: float, shape: str
-) -> None:
-    c = machine(buffer_size=10, shape=shape)
-    shear(c, *segments)
-    c.move_to(0, end)
-    until(c, 99.0)
-    slave = master = 0.0
-    for distance, over in segments:
-        slave, master = slave + distance, master + over
-        if master < end:
-            time = c.axes[0].profiles[1].crossing(master)
-            assert time is not None
-            assert at(c, 1, time) == pytest.approx(slave, abs=1e-8)
-    last = c.axes[1].starts[-1]
-    h = 1e-6
-    for k in range(1, 60):
-        t = k * last / 60.0
-        slope = (at(c, 1, t + h) - at(c, 1, t - h)) / (2.0 * h)
-        assert speed(c, 1, t) == pytest.approx(slope, abs=1e-2 * (1.0 + abs(slope)))
-
-
 # ---------------------------------------------------------------------------------------------------- cams
 
 
@@ -304,20 +187,6 @@ def test_a_linear_cam_repeats_and_advances() -> None:
     assert len([move for move in c.log.moves if move.axis == 1]) == 1
 
 
-def test_a_cam_once_ends_by_itself() -> None:
-    c = machine()
-    cam(c, 1, 0, [0.0, 10.0, 20.0], [0.0, 4.0, 3.0])
-    c.move_to(0, 30.0)
-    until(c, 9.0)
-    # At 1 count/s back it stops within 0.005 counts.
-    assert c.position(1) == pytest.approx(3.0 - 0.005)
-    assert c.is_idle(1)
-    assert c.log.moves[0].profile is not None
-    low, high = c.log.moves[0].profile.extrema()
-    assert low == pytest.approx(0.0, abs=1e-9)
-    assert high == pytest.approx(4.0)
-
-
 @pytest.mark.parametrize("rise", [2.0, 0.5])
 def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> None:
     """At the cam's end the slave has `rise` counts/s: the table takes one second.
@@ -332,27 +201,6 @@ def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> 
     assert c.is_idle(1)
 
 
-@quick
-@given(st.lists(st.floats(-9.0, 9.0), min_size=2, max_size=7), st.floats(-60.0, 60.0), st.booleans())
-def test_a_cyclic_cam_is_where_its_table_is(values: list[float], distance: float, back: bool) -> None:
-    values = [0.0, *values]
-    positions = [3.0 * k for k in range(len(values))]
-    c = machine()
-    cam(c, 1, 0, positions, values, cyclic=True)
-    c.move_to(0, distance)
-    if back:
-        until(c, 1.0)
-        c.move_to(0, -distance)
-    until(c, 99.0)
-    length, rise = positions[-1], values[-1]
-    for k in range(200):
-        t = k * c.axes[0].starts[-1] / 200.0
-        m = at(c, 0, t)
-        cycle = math.floor(m / length)
-        expected = float(np.interp(m - cycle * length, positions, values)) + cycle * rise
-        assert at(c, 1, t) == pytest.approx(expected, abs=1e-6)
-
-
 # ------------------------------------------------------------------------------------------------- offsets
 
 
@@ -361,27 +209,6 @@ def moving_slave() -> Controller:
     c.jog(0, 10.0)
     c.gear(1, 0, 1.0)
     return until(c, 1.0)  # both at 9.5, at 10 counts/s
-
-
-def test_an_offset_lies_on_top_of_following() -> None:
-    c = moving_slave()
-    offset(c, 1, 20.0)  # at 10 counts/s more: 2.1 s
-    assert until(c, 2.0).velocity(1) == pytest.approx(20.0)
-    assert c.offset_remaining(1) == pytest.approx(20.0 - 9.5)
-    c.jog(0, 5.0)
-    assert until(c, 2.5).velocity(1) == pytest.approx(15.0)
-    until(c, 5.0)
-    assert c.velocity(1) == pytest.approx(5.0)
-    assert c.position(1) - c.position(0) == pytest.approx(20.0)
-    assert c.offset_remaining(1) == 0.0
-
-
-def test_a_second_offset_adds_to_the_first() -> None:
-    c = moving_slave()
-    offset(c, 1, 20.0)
-    offset(until(c, 2.0), 1, -25.0)
-    until(c, 9.0)
-    assert c.position(1) - c.position(0) == pytest.approx(-5.0)
 
 
 def test_an_offset_on_a_cam() -> None:

@@ -8,54 +8,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.kernel import Rejected
-from tests.cases import cases
 from tests.kernel.controller.machines import machine, until
-
-
-def test_a_dwell_between_two_moves() -> None:
-    c = machine(buffer_size=5)
-    c.load_by(0, 10.0)
-    c.load_dwell(0, 0.5, "MOVEDWELL", 3)
-    c.load_by(0, 10.0)
-    c.go([0])
-    assert until(c, 1.3).position(0) == 10.0  # 1.1 s for each move
-    assert not c.is_idle(0)
-    assert until(c, 1.6).position(0) == 10.0
-    assert until(c, 2.7).position(0) == 20.0
-    assert c.is_idle(0)
-    rows = [(move.command, move.start_time, move.profile and move.profile.duration) for move in c.log.moves]
-    assert rows == [
-        ("", 0.0, pytest.approx(1.1)),
-        ("MOVEDWELL", pytest.approx(1.1), 0.5),
-        ("", 1.6, pytest.approx(1.1)),
-    ]
-
-
-def test_outputs_change_between_moves_and_take_no_time() -> None:
-    c = machine(buffer_size=9)
-    c.load_output(0, {3: 1})
-    c.load_by(0, 10.0)
-    c.load_output(0, {3: 0, 4: 1})
-    c.load_by(0, 10.0)
-    assert c.output(3) == 0
-    c.go([0])
-    until(c, 5.0)
-    assert [(round(time, 9), channel, value) for time, channel, value, *_ in c.log.outputs] == [
-        (0.0, 3, 1),
-        (1.1, 3, 0),
-        (1.1, 4, 1),
-    ]
-    assert c.log.moves[-1].start_time == pytest.approx(1.1)
-
-
-def test_a_pulse_does_not_hold_up_the_next_move() -> None:
-    c = machine(buffer_size=5)
-    c.load_pulse(0, 2, 0.25)
-    c.load_by(0, 10.0)
-    c.go([0])
-    until(c, 5.0)
-    assert [each[:3] for each in c.log.outputs] == [(0.0, 2, 1), (0.25, 2, 0)]
-    assert c.log.moves[0].start_time == 0.0
 
 
 def test_on_a_suspended_axis_outputs_change_and_moves_rest() -> None:
@@ -71,15 +24,6 @@ def test_on_a_suspended_axis_outputs_change_and_moves_rest() -> None:
     assert until(c, 3.0).position(0) == 10.0
 
 
-def test_a_second_pulse_prolongs_the_first() -> None:
-    c = machine()
-    c.pulse(2, 0.25)
-    until(c, 0.2)
-    c.pulse(2, 0.25)
-    until(c, 1.0)
-    assert [each[:3] for each in c.log.outputs] == [(0.0, 2, 1), (0.45, 2, 0)]
-
-
 def test_relative_moves_count_through_what_does_not_move() -> None:
     c = machine(buffer_size=5)
     c.load_by(0, 10.0)
@@ -87,28 +31,6 @@ def test_relative_moves_count_through_what_does_not_move() -> None:
     c.load_by(0, 5.0)
     c.go([0])
     assert until(c, 9.0).position(0) == 15.0
-
-
-def test_only_what_was_released_by_go_is_carried_out() -> None:
-    c = machine(buffer_size=5)
-    c.load_by(0, 10.0)
-    c.go([0])
-    c.load_output(0, {1: 1})
-    until(c, 5.0)
-    assert c.output(1) == 0
-    c.go([0])
-    assert c.output(1) == 1
-
-
-def test_moves_carry_the_mark_of_their_loading() -> None:
-    c = machine(buffer_size=5)
-    for mark in (7, 8):
-        c.configure(0, "move_id", mark)
-        c.load_by(0, 10.0)
-    c.go([0])
-    assert c.move_id(0) == 7
-    assert until(c, 2.0).move_id(0) == 8
-    assert until(c, 9.0).move_id(0) == 8
 
 
 def test_listeners_are_notified_when_more_entries_are_free_than_requested() -> None:
@@ -130,15 +52,6 @@ def test_a_time_that_is_none_is_refused(duration: float) -> None:
     with pytest.raises(Rejected):
         c.load_pulse(0, 1, duration)
     assert c.room(0) == 2
-
-
-@cases("override, mode, duration", [(2.0, 1, 1.1), (2.0, 3, 0.7), (0.5, 3, 2.05), (2.0, 2, 0.7)])
-def test_the_override_multiplies_the_speed_of_moves_loaded_with_bit_1(
-    override: float, mode: int, duration: float
-) -> None:
-    c = machine(1, feedrate_mode=mode, override=override)
-    c.move_to(0, 10.0)
-    assert c.idle_time(0) == pytest.approx(duration)
 
 
 def test_relative_moves_keep_their_ends_when_the_present_one_gets_another() -> None:

@@ -1,133 +1,12 @@
-"""Contours with events in motion: limits are observed, nothing jumps, all arrive.
-
-The checker is independent of the planners: it samples the tracks of the axes and takes differences. A piece
-of a track is a polynomial, whose velocity has its extremes at its ends or inside; samples are taken at both.
-"""
+"""Events on a path in S-ramps, and limits that come in motion; random ones are in `tests/metamorphic`."""
 
 from __future__ import annotations
-
-import math
-from itertools import pairwise
-from random import Random
 
 import pytest
 
 from motionlang.kernel import Controller
-from tests.cases import examples
 from tests.kernel.controller.machines import until
-from tests.kernel.controller.moves.test_path import path_speed, plane, positions
-
-SLACK = 1.0 + 1e-6
-JERK = 2000.0
-# Samples of a track at equal intervals, in addition to the ends and the middle of each piece.
-SAMPLES = 150
-
-
-def straight(random: Random, shape: str) -> Controller:
-    """Return a plane for joined paths on one line, with random rates and jerks."""
-    c = plane(contour_mode=True, contour_angle=1.0, feedrate_mode=3, shape=shape)
-    for name in ("accel", "decel"):
-        c.configure(0, name, 100.0 * random.uniform(40, 200))
-    for name in ("accel_jerk", "decel_jerk"):
-        c.configure(0, name, 100.0 * random.uniform(0.5, 1.0) * JERK)
-    return c
-
-
-def load(c: Controller, random: Random) -> float:
-    """Load one more path and return its length."""
-    c.configure(0, "speed", 100.0 * random.choice([5, 10, 20, 40]))
-    length = random.choice([1.0, 5.0, random.uniform(0.2, 30)])
-    c.load_line_by([0, 1], [60.0 * length, 40.0 * length])
-    c.go([0])
-    return length
-
-
-def act(c: Controller, random: Random) -> str:
-    """Change the motion in progress at random; return the name of the event."""
-    event = random.choice(["override", "more", "more", "suspend", "stop"])
-    if event == "override":
-        c.configure(0, "override", random.choice([0.3, 0.7, 1.0, 1.5]))
-    elif event == "suspend":
-        c.suspend(0)
-    elif event == "stop":
-        c.stop(random.randrange(2))
-    return event
-
-
-def rates(c: Controller, times: list[float], h: float) -> list[tuple[float, float, float]]:
-    """Return the speed along the path, and its first and second time derivative.
-
-    They are computed by differences, for a line without corners.
-    """
-    found = []
-    for time in times:
-        v = [path_speed(c, time + k * h) for k in (-1, 0, 1)]
-        found.append((v[1], (v[2] - v[0]) / (2.0 * h), (v[2] - 2.0 * v[1] + v[0]) / (h * h)))
-    return found
-
-
-def judge(c: Controller, shape: str, end: float) -> None:
-    accel, decel = (float(c.setting(0, name) or 0.0) / 100.0 for name in ("accel", "decel"))
-    jerk = max(float(c.setting(0, name) or 0.0) for name in ("accel_jerk", "decel_jerk")) / 100.0
-    step = end / SAMPLES
-    knots = [t for t in c.axes[0].starts if 0.0 < t < end]
-    for time in knots:
-        jump = abs(path_speed(c, time + 1e-7) - path_speed(c, time - 1e-7))
-        assert jump <= 2e-7 * max(accel, decel) * 1.1 + 1e-7, time
-    h = min(step, 1e-4)
-    bends = []
-    even = [step * (k + 0.5) for k in range(SAMPLES)]
-    middles = [(before + after) / 2.0 for before, after in pairwise([0.0, *knots, end])]
-    for v, a, j in rates(c, sorted([*even, *knots, *middles]), h):
-        assert v <= 60.0 * SLACK
-        assert -decel * SLACK - 1e-5 <= a <= accel * SLACK + 1e-5
-        # a difference across a knot may see both sides
-        assert shape != "scurve" or abs(j) <= 2.0 * jerk * SLACK + 1e-2
-        bends.append(a)
-    for before, after in pairwise(bends):
-        assert shape != "scurve" or abs(after - before) <= jerk * (step + 2.0 * h) * SLACK + 1e-4
-
-
-def run(seed: int) -> None:
-    random = Random(seed)
-    shape = random.choice(["trapezoid", "scurve"])
-    c = straight(random, shape)
-    length, stopped, loaded = 0.0, False, random.randint(1, 6)
-    for _ in range(loaded):
-        length += load(c, random)
-    for _ in range(random.randint(1, 6)):
-        until(c, c.clock.now + random.uniform(0.01, 0.8))
-        if c.is_idle(0):
-            break
-        event = act(c, random)
-        if event == "more" and loaded < 12:
-            length, loaded = length + load(c, random), loaded + 1
-        elif event == "suspend":
-            until(c, c.clock.now + random.choice([0.05, 0.3, 3.0]))
-            c.resume(0)
-        elif event == "stop":
-            stopped = True
-            break
-    until(c, 1e4)
-    assert c.is_idle(0)
-    assert c.is_idle(1)
-    x, y = positions(c)
-    assert y == pytest.approx(x * 0.8 / 0.6, rel=1e-12)
-    if not stopped:
-        assert math.hypot(x, y) == pytest.approx(length, rel=1e-12)
-    judge(c, shape, c.axes[0].starts[-1])
-
-
-@pytest.mark.parametrize("first", range(0, 200, 25))
-def test_contours_with_events_keep_their_limits_and_arrive(first: int) -> None:
-    for seed in range(first, first + examples(25)):
-        run(seed)
-
-
-@pytest.mark.long
-def test_many_contours_with_events() -> None:
-    for seed in range(1000, 3000):
-        run(seed)
+from tests.kernel.controller.moves.test_path import plane, positions
 
 
 def ramped() -> Controller:
@@ -169,7 +48,6 @@ def test_a_new_override_takes_the_acceleration_of_a_path_back_first(override: fl
     c.configure(0, "override", 1.0)
     until(c, 9.0)
     assert positions(c) == [40.0, 0.0]
-    judge(c, "scurve", c.axes[0].starts[-1])
 
 
 @pytest.mark.parametrize("axis", [0, 1])

@@ -3,18 +3,13 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from motionlang.kernel import Controller, Rejected
-from tests.cases import examples
 from tests.kernel.controller.machines import machine, until
 
-quick = settings(max_examples=examples(60))
 INFINITY = float("inf")
 
 
@@ -43,35 +38,7 @@ def path_speed(c: Controller, time: float) -> float:
     return math.hypot(*(a.velocity(time) / a.scale.counts for a in c.axes.values()))
 
 
-def test_a_line_runs_at_the_speed_of_its_master_in_user_units() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 3)  # 3 by 4 units: 5
-    c.go([0])
-    assert c.idle_time(0) == c.idle_time(1) == pytest.approx(0.6)
-    until(c, 0.3)
-    assert positions(c) == pytest.approx([1.5, 2.0])
-    assert c.path_speed(0) == c.path_speed(1) == pytest.approx(10.0)
-    assert (c.velocity(0), c.velocity(1)) == pytest.approx((600.0, 400.0))
-    until(c, 1.0)
-    assert positions(c) == [3.0, 4.0]
-    assert c.is_idle(0)
-    assert c.is_idle(1)
-    assert [(move.axis, move.command, move.line, move.target) for move in c.log.moves] == [
-        (0, "VECTORR", 3, 300.0),
-        (1, "VECTORR", 3, 200.0),
-    ]
-
-
 # ------------------------------------------------------------------------------------------------- lines
-
-
-def test_go_on_the_master_starts_the_whole_and_go_on_another_axis_nothing() -> None:
-    c = plane()
-    c.load_line([0, 1], [300.0, 200.0])
-    c.go([1])
-    assert until(c, 1.0).is_idle(0)
-    c.go([0])
-    assert not c.is_idle(1)
 
 
 def test_a_path_waits_until_all_its_axes_are_ready() -> None:
@@ -95,15 +62,6 @@ def test_a_path_takes_an_entry_in_each_buffer() -> None:
     assert [c.room(axis) for axis in c.axes] == [1, 0, 2]
 
 
-def test_two_paths_stop_in_the_corner_between_them() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    assert path_speed(until(c, 0.6), 0.6) == pytest.approx(0.0, abs=1e-6)
-    assert until(c, 3.0).log.moves[2].start_time == pytest.approx(0.6)
-
-
 @pytest.mark.parametrize(
     ("axes", "code"), [([0], "axis"), ([0, 0], "axis")]
 )  # fmt: skip
@@ -111,40 +69,6 @@ def test_a_path_needs_different_axes(axes: list[int], code: str) -> None:
     with pytest.raises(Rejected) as rejected:
         plane().load_line(axes, [1.0] * len(axes))
     assert rejected.value.code == code
-
-
-def test_a_path_of_no_length_takes_no_time() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [0.0, 0.0])
-    c.load_line_by([0, 1], [300.0, 0.0])
-    c.go([0])
-    until(c, 5.0)
-    assert positions(c) == [3.0, 0.0]
-    assert c.log.moves[2].start_time == 0.0
-
-
-def test_the_limits_of_each_axis_are_met() -> None:
-    c = plane()
-    c.configure(1, "max_speed", 100.0)  # 2 units/s
-    c.configure(1, "max_accel", 400.0)  # 8 units/s²
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    until(c, 9.0)
-    speeds = [move.profile.peak_speed for move in c.log.moves if move.profile]
-    rates = [move.profile.peak_acceleration for move in c.log.moves if move.profile]
-    assert speeds == pytest.approx([150.0, 100.0])
-    assert rates == pytest.approx([10000.0 * 0.6, 4000.0]) or rates[1] <= 4000.0 + 1e-6
-
-
-def test_a_half_circle_by_its_figures() -> None:
-    c = plane()
-    c.load_arc([0, 1], [200.0, 0.0], -180.0, (), True, "CIRCLER")  # over the top: 0, 0 to 4, 0
-    c.go([0])
-    whole = 2.0 * math.pi / 10.0 + 0.1
-    assert c.idle_time(0) == pytest.approx(whole)
-    assert positions(until(c, whole / 2.0)) == pytest.approx([2.0, 2.0])
-    until(c, 2.0)
-    assert positions(c) == [4.0, 0.0]
 
 
 # --------------------------------------------------------------------------------------------------- arcs
@@ -158,75 +82,7 @@ def test_a_full_circle_ends_where_it_began_to_the_last_bit() -> None:
     assert [until(c, 5.0).position(axis) for axis in (0, 1)] == [12.3, 0.0]
 
 
-def test_a_helix_rises_evenly() -> None:
-    c = plane(3)
-    c.load_arc([0, 1, 2], [200.0, 0.0], 90.0, [2000.0], False, "HELIXA")
-    c.go([0])
-    length = math.hypot(math.pi, 10.0)
-    assert c.idle_time(2) == pytest.approx(length / 10.0 + 0.1)
-    assert positions(until(c, c.idle_time(0) / 2.0))[2] == pytest.approx(5.0)
-    assert c.path_speed(0) == pytest.approx(10.0)
-    assert positions(until(c, 5.0)) == pytest.approx([2.0, -2.0, 10.0])
-
-
-@quick
-@given(
-    st.floats(-800.0, 800.0).filter(lambda angle: abs(angle) > 5.0),
-    st.floats(-5.0, 5.0),
-    st.floats(0.5, 5.0),
-    st.sampled_from(["trapezoid", "sinusoidal", "scurve", "parabolic"]),
-    st.floats(0.1, 0.9),
-    st.sampled_from(["", "stop", "suspend", "override"]),
-)
-def test_an_arc_never_leaves_its_circle(
-    angle: float, x: float, y: float, shape: str, share: float, event: str
-) -> None:
-    c = plane(feedrate_mode=2, shape=shape)
-    c.load_arc([0, 1], [100.0 * x, 50.0 * y], angle, (), True)
-    c.go([0])
-    at = share * c.idle_time(0)
-    until(c, at)
-    speed = c.path_speed(0)
-    if event == "stop":
-        c.stop(1)
-    elif event == "suspend":
-        c.suspend(1)
-        until(c, at + 1.0).resume(0)
-    elif event == "override":
-        c.configure(0, "override", 0.5)
-    until(c, 99.0)
-    assert c.is_idle(0)
-    assert c.is_idle(1)
-    radius = math.hypot(x, y)
-    for k in range(200):
-        px, py = positions(c, k * c.axes[0].starts[-1] / 200.0)
-        assert math.hypot(px - x, py - y) == pytest.approx(radius, abs=1e-9)
-        assert path_speed(c, k * c.axes[0].starts[-1] / 200.0) <= 10.0 * (1.0 + 1e-9)
-    assert path_speed(c, at) == pytest.approx(speed, abs=1e-9)
-    assert c.log.moves[0].ended == ("stop" if event == "stop" else "")
-
-
 # ------------------------------------------------------------------------------- stop, suspend, abort, faults
-
-
-def test_a_path_started_while_an_axis_is_suspended_waits() -> None:
-    c = plane()
-    c.suspend(1)
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    assert positions(until(c, 2.0)) == [0.0, 0.0]
-    assert not c.is_idle(0)
-    c.resume(1)
-    assert positions(until(c, 2.6)) == [3.0, 4.0]
-
-
-def test_an_error_stop_uses_the_error_rate_of_the_master() -> None:
-    c = plane()
-    c.configure(0, "error_decel", 20000.0)
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    until(c, 0.3).fault(1, 2, "error-stop")
-    assert c.idle_time(0) == pytest.approx(0.35)
 
 
 def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
@@ -241,47 +97,7 @@ def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
     assert positions(until(c, 3.0)) == [3.0, 4.0]
 
 
-def test_a_path_without_speed_holds_until_its_master_has_one() -> None:
-    c = plane(feedrate_mode=0)
-    speed = c.setting(0, "speed")
-    c.configure(0, "speed", 0.0)
-    c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", 9)
-    c.go([0])
-    assert positions(until(c, 3.0)) == [0.0, 0.0]
-    c.configure(0, "speed", speed)
-    assert positions(until(c, 60.0)) == [3.0, 4.0]
-
-
 # ------------------------------------------------------------------------------------------------ contours
-
-
-def test_a_contour_runs_through_a_smooth_join() -> None:
-    c = plane(contour_mode=True, contour_angle=1.0)
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.load_arc([0, 1], [0.0, 50.0], 90.0, (), True)
-    c.load_line_by([0, 1], [0.0, 200.0])
-    c.go([0])
-    length = 8.0 + math.pi / 2.0
-    total = length / 10.0 + 0.1
-    until(c, 9.0)
-    assert [round(move.start_time, 9) for move in c.log.moves[::2]] == [
-        0.0,
-        round(0.05 + 0.4, 9),
-        round(0.05 + 0.4 + math.pi / 20.0, 9),
-    ]
-    assert c.axes[0].starts[-1] == pytest.approx(total)
-    assert positions(c) == [5.0, 5.0]
-    for k in range(1, 100):
-        t = 0.1 + k * (total - 0.2) / 100.0
-        assert path_speed(c, t) == pytest.approx(10.0)
-
-
-def test_a_sharp_corner_is_a_stop() -> None:
-    c = plane(contour_mode=True, contour_angle=30.0)
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.load_line_by([0, 1], [0.0, 200.0])
-    c.go([0])
-    assert path_speed(until(c, 9.0), 0.5) == pytest.approx(0.0, abs=1e-6)
 
 
 def test_a_path_released_under_way_prolongs_the_contour() -> None:
@@ -309,19 +125,6 @@ def test_a_path_released_while_braking_is_still_taken_up() -> None:
     assert positions(c) == [8.0, 0.0]
 
 
-def test_each_path_keeps_its_own_speed_and_slows_down_in_time() -> None:
-    c = plane(contour_mode=True, contour_angle=1.0, feedrate_mode=1)
-    for speed in (1000.0, 500.0, 1000.0):
-        c.configure(0, "speed", speed)
-        c.load_line_by([0, 1], [400.0, 0.0])
-    c.go([0])
-    until(c, 9.0)
-    starts = [move.start_time for move in c.log.moves[::2]]
-    assert [path_speed(c, t) for t in starts] == pytest.approx([0.0, 5.0, 5.0], abs=1e-6)
-    peaks = [move.profile.peak_speed for move in c.log.moves[::2] if move.profile]
-    assert peaks == pytest.approx([1000.0, 500.0, 1000.0])
-
-
 def test_stop_runs_on_over_the_join_where_it_must() -> None:
     c = plane(contour_mode=True, contour_angle=1.0)
     c.load_line_by([0, 1], [400.0, 0.0])
@@ -332,45 +135,6 @@ def test_stop_runs_on_over_the_join_where_it_must() -> None:
     assert positions(c) == pytest.approx([4.3, 0.0])
     assert [move.ended for move in c.log.moves] == ["", "", "stop", "stop"]
     assert len(c.log.dropped) == 0
-
-
-corners = st.lists(
-    st.tuples(st.floats(-3.0, 3.0), st.floats(-3.0, 3.0)).filter(lambda p: math.hypot(*p) > 0.05),
-    min_size=2,
-    max_size=6,
-)
-
-
-@quick
-@given(corners, st.sampled_from([0.0, 20.0, 180.0]), st.sampled_from(["trapezoid", "sinusoidal", "scurve"]))
-def test_contours_keep_speed_rate_and_line(
-    segments: list[tuple[float, float]], angle: float, shape: str
-) -> None:
-    c = plane(contour_mode=True, contour_angle=angle, shape=shape)
-    points = [(0.0, 0.0)]
-    for x, y in segments:
-        c.load_line_by([0, 1], [100.0 * x, 50.0 * y])
-        points.append((points[-1][0] + x, points[-1][1] + y))
-    c.go([0])
-    until(c, 99.0)
-    assert positions(c) == pytest.approx(points[-1], abs=1e-9)
-    speeds = []
-    for k in range(301):
-        t = k * c.axes[0].starts[-1] / 300.0
-        speeds.append(path_speed(c, t))
-        assert speeds[-1] <= 10.0 * (1.0 + 1e-9)
-        assert min(_away(positions(c, t), a, b) for a, b in pairwise(points)) < 1e-9
-    step = c.axes[0].starts[-1] / 300.0
-    for before, after in pairwise(speeds):
-        assert abs(after - before) <= 100.0 * step * (1.0 + 1e-6) + 1e-9
-
-
-def _away(point: list[float], a: tuple[float, float], b: tuple[float, float]) -> float:
-    """Return the distance of a point from a line segment."""
-    along = (b[0] - a[0], b[1] - a[1])
-    share = ((point[0] - a[0]) * along[0] + (point[1] - a[1]) * along[1]) / (along[0] ** 2 + along[1] ** 2)
-    share = min(1.0, max(0.0, share))
-    return math.hypot(point[0] - a[0] - share * along[0], point[1] - a[1] - share * along[1])
 
 
 # ------------------------------------------------------------------------------------------------- blends
