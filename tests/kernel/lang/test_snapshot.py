@@ -103,11 +103,11 @@ def check(source: Source, settings: Mapping[str, object]) -> list[Snapshot]:
 SLOW = ("old-grinder", "override-panel", "pick-cycle", "press-force")
 
 
-@pytest.mark.parametrize(
-    "path",
-    [pytest.param(each, marks=pytest.mark.slow) if each.stem in SLOW else each for each in PROGRAMS],
-    ids=lambda path: path.stem,
-)
+def marked(paths: list[Path]) -> list[Any]:
+    return [pytest.param(each, marks=pytest.mark.slow) if each.stem in SLOW else each for each in paths]
+
+
+@pytest.mark.parametrize("path", marked(PROGRAMS), ids=lambda path: path.stem)
 def test_a_program_of_the_gallery_ends_the_same_after_going_back(path: Path) -> None:
     check(Source.read(str(path)), settings_next_to(str(path)))
 
@@ -261,7 +261,7 @@ def contents(snapshot: Snapshot) -> dict[int, tuple[object, str]]:
     return {id(each.args[0]): (each.args[0], str(each.args[1])) for each in stored}
 
 
-@pytest.mark.parametrize("path", PROGRAMS[1::4], ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", marked(PROGRAMS[1::4]), ids=lambda path: path.stem)
 def test_a_step_has_no_memory(path: Path) -> None:
     """What a run changes and only steps reach is the cache of a reader."""
     run = Observed(Source.read(str(path)), settings_next_to(str(path)), [])
@@ -293,9 +293,8 @@ def test_only_caches_are_in_variables_of_functions() -> None:
         path.relative_to(package).as_posix()
         for name in ("controller", "lang", "log", "mccl", "mint", "planners", "servo")
         for path in (package / "kernel" / name).rglob("*.py")
-        if any(
-            isinstance(node, ast.Nonlocal) for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        )
+        if "nonlocal" in (text := path.read_text(encoding="utf-8"))
+        and any(isinstance(node, ast.Nonlocal) for node in ast.walk(ast.parse(text)))
     }
     assert found == {"kernel/controller/readers.py"}
 

@@ -12,6 +12,7 @@ import pytest
 
 from motionlang.commands.check import check
 from motionlang.kernel import Run, Source, dialect, run
+from tests.cases import one_in
 
 # More operands than Python's stack has frames.
 LENGTH = 1500
@@ -58,14 +59,11 @@ CHAINS = {
 }  # fmt: skip
 
 
-SLOW = {"PRINT": pytest.mark.slow}
-
-
 def ran(text: str) -> Run:
     return run(Source("chain.mnt", f"{HEAD}{text}\n"))
 
 
-@pytest.mark.parametrize("name", [pytest.param(each, marks=SLOW.get(each, ())) for each in CHAINS])
+@pytest.mark.parametrize("name", one_in(3, CHAINS))
 def test_a_chain_of_thousands(name: str) -> None:
     text, shown = CHAINS[name]
     made = ran(text)

@@ -15,6 +15,7 @@ import pytest
 
 from motionlang import run
 from motionlang.kernel import ProgramError, Source
+from tests.cases import one_in
 
 VARIABLES = """\
 Dim n As Integer, m As Integer, k As Integer, x As Float, y As Float, a(3) As Integer
@@ -126,17 +127,17 @@ def agreeing(expressions: dict[str, tuple[list[str], bool]]) -> int:
     return len(expressions)
 
 
-@pytest.mark.parametrize("half", [0, pytest.param(1, marks=pytest.mark.long)])
+@pytest.mark.parametrize("part", one_in(4, range(4)))
 @pytest.mark.parametrize("op", OPERATORS)
-def test_operators_and_operands(op: str, half: int) -> None:
-    """Each half has every left and every right operand.
+def test_operators_and_operands(op: str, part: int) -> None:
+    """Each of four parts has every left and every right operand.
 
-    A pair of operands is in the same half for every second operator.
+    A pair of operands is in the same part for every fourth operator.
     """
     ran = tried = 0
     for number, left in enumerate(OPERANDS):
         together: dict[str, tuple[list[str], bool]] = {}
-        for right in list(OPERANDS)[(number + OPERATORS.index(op) + half) % 2 :: 2]:
+        for right in list(OPERANDS)[(number + OPERATORS.index(op) + part) % 4 :: 4]:
             tried += 1
             made = expected(op, OPERANDS[left], OPERANDS[right])
             if made[1]:
