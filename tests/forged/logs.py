@@ -13,8 +13,7 @@ from motionlang.kernel import Run
 from motionlang.kernel.controller.motion.offset import OffsetMove
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
-from tests.forged.programs import PROGRAMS
-from tests.forged.verdicts import ran
+from tests.forged.programs import PROGRAMS, ran
 
 Entries = list[LoggedMove]
 

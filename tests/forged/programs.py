@@ -1,6 +1,9 @@
-"""Programs for forged planners: each kind of motion, begun, changed and ended."""
+"""Programs for forged logs: each kind of motion, begun, changed and ended."""
 
 from __future__ import annotations
+
+from motionlang.kernel import Run, Source
+from tests.proof import run
 
 _RATES = "SPEED(0) = 50 : ACCEL(0) = 100 : DECEL(0) = 200 : FEEDRATEMODE(0) = 2\n"
 _SMOOTH = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 900\n"
@@ -95,3 +98,9 @@ MCCL = {
 PROGRAMS = {f"{name}.mnt": text for name, text in MINT.items()} | {
     f"{name}.mcl": text for name, text in MCCL.items()
 }
+
+
+def ran(name: str) -> Run:
+    """Return the run of a program, prepared for a proof."""
+    machine = {"controller.instruction_time": 1e-9}
+    return run(Source(name, PROGRAMS[name]), machine=machine, until=60.0)

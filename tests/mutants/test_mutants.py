@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.mutants.__main__ import BAR, EQUIVALENT, default_tests, killers, main, table, that_reach
+from tests.mutants.__main__ import BAR, EQUIVALENT, default_tests, main
 from tests.mutants.forks import BUDGET, NET, within_budget
 from tests.mutants.mutate import ROOT, chosen, every, mutants, woven
 
@@ -74,14 +74,6 @@ def test_the_same_are_chosen_again_from_every_package() -> None:
     assert {"tests/cli", "tests/golden", "tests/test_files.py"} < set(default_tests())
 
 
-def test_the_score_is_given_by_package() -> None:
-    draw = [each for each in chosen(300, 0) if each.package in ("cli", "lang")]
-    lived = [each for each in draw if each.package == "lang"][:1]
-    cli, lang = table(draw, lived)
-    assert cli.split()[-1] == "100%"
-    assert lang.split()[1:4] == [f"{sum(each.package == 'lang' for each in draw) - 1}", "of", lang.split()[3]]
-
-
 def test_a_change_elsewhere_leaves_the_choice_and_the_names(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -129,29 +121,10 @@ def test_the_net_is_never_left_out() -> None:
     assert within_budget([quick, slow, net], durations) == [quick, net]
 
 
-def test_constants_may_be_tested_by_any_test() -> None:
-    """No test is recorded for a file without functions."""
-    tests = {name: {"cpu": 1.0, "files": [file]} for name, file in (("test_a", "a.py"), ("test_b", "b.py"))}
-    assert list(that_reach("a.py", tests)) == ["test_a"]
-    assert list(that_reach("constants.py", tests)) == ["test_a", "test_b"]
-
-
+@pytest.mark.slow
 def test_equivalent_mutants_exist_in_the_sources() -> None:
     names = {each.name for each in every()}
     assert [name for name in EQUIVALENT if name not in names] == []
-
-
-def test_the_tests_that_killed_are_in_the_output_of_a_run() -> None:
-    here = "tests/mutants/test_mutants.py::test_a"
-    log = (
-        f"1 killed by {here}[1: 2]: motionlang/kernel/planners/a.py:3: a -> b\n"
-        "2 LIVED: motionlang/kernel/planners/a.py:4: a -> b\n"
-        "3 killed by time or memory: motionlang/kernel/planners/a.py:5: a -> b\n"
-        f"4 killed by {here}: motionlang/kernel/planners/a.py:6: a -> b\n"
-        "5 killed by tests/gone.py::test_a: motionlang/kernel/planners/a.py:7: a -> b\n"
-        "5 mutants, seed 0, and 0 that change nothing: 80.0% killed; lived:\n"
-    )
-    assert killers(log) == [here, f"{here}[1: 2]"]
 
 
 @pytest.mark.long
