@@ -56,6 +56,7 @@ def test_a_program_without_motion_does_all_that_it_can(cell: Cell) -> None:
     ]
 
 
+@pytest.mark.slow
 def test_two_values_of_a_bank_come_in_turn(cell: Cell) -> None:
     found = inputs(cell, "PAUSE IN = 5\nPAUSE IN = 10\n? TIME\n")
     assert found == [
@@ -91,6 +92,7 @@ def test_an_input_that_leads_to_a_fault_stays_off(cell: Cell) -> None:
     assert 3 not in [each["channel"] for each in found]
 
 
+@pytest.mark.slow
 def test_a_stop_button_of_a_task_beside_the_cycle_stays_off(cell: Cell) -> None:
     guard = "Loop\nIf INX(6) Then\nSTOP(0)\nOUTX(3) = 1\nPAUSE Not INX(6)\nEnd If\nWAIT(10)\nEnd Loop\n"
     work = (

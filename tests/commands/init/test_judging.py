@@ -90,6 +90,7 @@ End Loop
 """
 
 
+@pytest.mark.slow
 def test_a_host_that_is_asked_takes_as_long_each_time(cell: Cell) -> None:
     """Output 5 is on for less than a row, so no row has it: this is no other program."""
     program = cell.write("host.mnt", HOST)
@@ -254,6 +255,7 @@ MC1
 """
 
 
+@pytest.mark.slow
 def test_the_switch_of_an_axis_is_no_input_of_an_operator(cell: Cell) -> None:
     """Its column is left out, and the homing measured: what an axis reads is no question of the exploration."""
     cell.write("dial.mccl", DIAL)

@@ -23,7 +23,11 @@ FOLDER = Path(__file__).parent / "machines"
 MACHINES = sorted(path for path in FOLDER.iterdir() if dialect_of(path.name) is not None)
 
 
-@pytest.mark.parametrize("path", MACHINES, ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(each, marks=pytest.mark.slow) if each.stem == "door" else each for each in MACHINES],
+    ids=lambda path: path.name,
+)
 def test_the_machine_file(path: Path, cell: Cell, golden: Callable[[Path, str], None]) -> None:
     cell.write(path.name, path.read_bytes())
     ran = cell("init", path.name, "--format", "none")

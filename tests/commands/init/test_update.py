@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.cli.programs import Cell
 from tests.commands.init.recordings import FOLDER, Logger, csv_of, machine_run
 
@@ -59,6 +61,7 @@ def test_the_difference_is_printed_and_the_file_stays(cell: Cell) -> None:
     assert (cell.folder / "saw.machine.toml").read_text() == MACHINE
 
 
+@pytest.mark.slow
 def test_it_is_written_on_request(cell: Cell) -> None:
     """A second update finds nothing more."""
     recorded(cell)

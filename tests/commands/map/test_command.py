@@ -305,6 +305,7 @@ def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None
     assert "input 1 on, with kind = 2 → " in shown
 
 
+@pytest.mark.slow
 def test_the_ways_of_a_large_machine_are_counted_beyond_the_first(cell: Cell) -> None:
     keys = "".join(
         f"If k = {65 + n} Then\nPrint {n}\nPause INX({n})\nPrint {n}\nPause INX({n}) = 0\nEnd If\n"

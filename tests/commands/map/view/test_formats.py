@@ -75,6 +75,7 @@ def test_graphviz_draws_the_graphs(cell: Cell) -> None:
         assert (done.stderr, "<svg" in done.stdout) == ("", True)
 
 
+@pytest.mark.slow
 def test_a_graph_has_every_state_and_transition(cell: Cell) -> None:
     for name in PROGRAMS:
         text = PROGRAMS[name]

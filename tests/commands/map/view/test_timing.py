@@ -53,6 +53,7 @@ def test_a_machine_that_does_not_move_has_no_diagram() -> None:
     assert timing(played("WAIT = 10\nWAIT = 10\n")) is None
 
 
+@pytest.mark.slow
 def test_the_waits_of_several_tasks_have_their_names() -> None:
     text = "Run T1\nLoop\n  MOVER(0) = 5 : GO(0)\n  PAUSE IDLE(0)\nEnd Loop\n"
     figure = timing(played(f"{text}Task T1\n  Loop\n    WAIT(20)\n  End Loop\nEnd Task\n"))
