@@ -21,6 +21,7 @@ from motionlang.kernel.lang.syntax.grammar import GRAMMARS
 from motionlang.kernel.tables import write
 from tests import cases
 from tests.built import distributions
+from tests.trees import nodes_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -246,6 +247,13 @@ def unrendered(monkeypatch: pytest.MonkeyPatch) -> None:
     """
     monkeypatch.setattr("motionlang.views.figure_files.svg", lambda figure: "")
     monkeypatch.setattr("motionlang.views.figure_files._png", lambda figure: b"")
+
+
+@pytest.fixture(scope="session")
+def package_trees() -> None:
+    """Parse the package once, outside the time of the first test that reads all of it."""
+    for path in (TESTS.parent / "motionlang").rglob("*.py"):
+        nodes_of(path)
 
 
 @pytest.fixture(scope="session")

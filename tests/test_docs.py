@@ -38,8 +38,18 @@ PAGES = [
 # The pages whose text names commands in passing.
 NAMING = [*PAGES, ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs" / "keywords").rglob("*.md"))]
 _INLINE = re.compile(r"`motionlang ([a-z][^`]*)`")
-_IMAGE = re.compile(r"--plot \S+\.(png|svg)")
+_IMAGE = re.compile(r"(--plot|motionlang plot \S+) \S+\.(png|svg)")
 _BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+# A search makes hundreds of runs, and so does a sweep that finds the least of a quantity.
+SEARCHES = (
+    "motionlang improve",
+    "motionlang init old/packer.prg",
+    "motionlang map",
+    "--explore",
+    "--suggest",
+    "minimise =",
+)
 
 
 def blocks(*kinds: str) -> list[ParameterSet]:
@@ -49,12 +59,7 @@ def blocks(*kinds: str) -> list[ParameterSet]:
         for match in _BLOCK.finditer(text):
             if match[1] in kinds:
                 line = text.count("\n", 0, match.start()) + 1
-                # A search makes hundreds of runs, and so does a sweep that finds the least of a quantity.
-                searches = any(
-                    each in match[2]
-                    for each in ("motionlang improve", "--explore", "--suggest", "minimise =")
-                )
-                marks = [pytest.mark.slow] if searches else []
+                marks = [pytest.mark.slow] if any(each in match[2] for each in SEARCHES) else []
                 name = f"{page.relative_to(ROOT)}:{line}"
                 found.append(pytest.param(match[1], match[2], id=name, marks=marks))
     return found

@@ -178,6 +178,7 @@ def writes(node: ast.Call) -> bool:
     return name in WRITERS or (where in ("shutil", "tempfile") and name not in ("gettempdir", "which"))
 
 
+@pytest.mark.usefixtures("package_trees")
 def test_nothing_else_opens_a_file_for_writing() -> None:
     found = {
         path.relative_to(PACKAGE).as_posix()

@@ -7,6 +7,8 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 import motionlang
 from tests.trees import nodes_of
 from tools.command_pages import parsers
@@ -26,6 +28,7 @@ def texts() -> Iterator[tuple[Path, int, str]]:
                 yield path, node.lineno, node.value
 
 
+@pytest.mark.usefixtures("package_trees")
 def test_messages_name_only_options_that_exist() -> None:
     known = {
         word for each in parsers().values() for action in each._actions for word in action.option_strings

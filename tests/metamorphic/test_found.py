@@ -137,7 +137,7 @@ def test_a_flying_shear_that_ends_under_an_s_ramp_stops_the_same_whenever_it_beg
     tie = "MASTERSOURCE(1) = _msPOS : MASTERCHANNEL(1) = 0\nMASTERDISTANCE(1) = 36 : FLY(1) = 21 : GO(1)\n"
     jog = "JOG(0) = 55 : PAUSE IDLE(1)\nSTOP(0)\nPAUSE IDLE(0)\n"
     took, begun = [], []
-    for wait in range(1, 1000, 37):
+    for wait in range(1, 1000, 97):
         result = proved(f"WAIT {wait}\n" + H + jerks + tie + jog)
         axis = result.controller.axes[1]
         took.append(result.time - wait * 1e-3)

@@ -38,13 +38,13 @@ PROMPTS = (
 
 
 @pytest.mark.parametrize("name", sorted(PIECES))
-@settings(max_examples=examples(60))
+@settings(max_examples=examples(40))
 @given(data=st.data())
 def test_any_input_is_answered(name: str, data: st.DataObject) -> None:
     piece = st.one_of(st.sampled_from(PIECES[name]), st.sampled_from(PROMPTS), st.text(max_size=8))
     lines = data.draw(st.lists(st.lists(piece, max_size=3).map(" ".join), max_size=12))
     session = Session(dialect(name))
-    session.interrupted = Patience(2000).is_over
+    session.interrupted = Patience(500).is_over
     for line in lines:
         session.feed(line)
     session.finish()

@@ -150,6 +150,7 @@ def test_a_fixed_wait_that_is_too_long_is_named_and_stays(cell: Cell) -> None:
     assert "+MOVEA" not in out
 
 
+@pytest.mark.slow
 def test_a_cycle_of_a_program_that_never_ends(cell: Cell) -> None:
     first, _, rest = SHUTTLE.partition("\n")
     cell.write("line.mnt", f"{first}\nLoop\n{rest}End Loop\n")
@@ -360,6 +361,7 @@ def test_edits_that_gain_only_together_because_of_a_tick_are_found() -> None:
     assert len(found.edits) == 4
 
 
+@pytest.mark.slow
 def test_a_gain_of_the_homing_is_none_of_the_cycle(cell: Cell) -> None:
     """The search takes 4 s; only the strokes count."""
     cell.write(
@@ -416,6 +418,7 @@ def test_a_constant_that_a_speed_follows_through_a_variable_is_a_candidate(cell:
         assert " → 0.90007 s, " in out
 
 
+@pytest.mark.slow
 def test_what_follows_the_last_whole_cycle_is_not_compared(cell: Cell) -> None:
     """Input 7 ends the shift at 14 s, wherever in its cycle the machine is then."""
     cell.write(

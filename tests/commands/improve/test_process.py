@@ -76,6 +76,7 @@ Next
     assert held(text) == {"SPEED[0]@6": "lower than 120 while output 2 is on"}
 
 
+@pytest.mark.slow
 def test_a_run_lamp_and_a_heater_that_are_on_all_the_time_hold_nothing() -> None:
     text = f"""\
 {RATES}OUTX(7) = 1
@@ -96,6 +97,7 @@ End Task
     assert held(text) == {}
 
 
+@pytest.mark.slow
 def test_the_torch_of_a_task_that_follows_the_carriage_counts() -> None:
     text = f"""\
 Dim weld As Integer
@@ -120,6 +122,7 @@ End Task
     assert held(text) == {"SPEED[0]@5": "lower than 250 while output 4 is on"}
 
 
+@pytest.mark.slow
 def test_the_speeds_of_a_homing_and_of_a_search() -> None:
     """The GO of line 2 runs until the edge of the switch, and the jog of line 2 until the input."""
     text = """\
@@ -136,6 +139,7 @@ MC1
     assert held(jog, given=given) == {"JOG[0]@3": "the program stops the JOG of line 3"}
 
 
+@pytest.mark.slow
 def test_a_note_says_how_far_other_rates_shift_the_rest_of_a_jog(cell: Cell) -> None:
     """From 40 uu/s the jog stops in 40²/(2·800) = 1 uu, and with 4000 uu/s² in 0.2 uu."""
     text = f"{RATES}SPEED(0) = 90\nJOG(0) = 40 : Pause INX(3) : STOP(0) : Pause IDLE(0)\nPOS(0) = 0\nLoop\n"
@@ -150,6 +154,7 @@ def test_a_note_says_how_far_other_rates_shift_the_rest_of_a_jog(cell: Cell) -> 
     assert "note: line 3: JOG of axis 0 comes to rest -0.8 uu from where it did" in out
 
 
+@pytest.mark.slow
 @cases("comment, line, reasons", [
     ("; index at 15 deg/s", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {"1SV@3:1": "the comment of line 2 names it"}),
     ("; up, over the glue wheel", "1SV15,1MA90,1WS,1SV120,1MA0,1WS", {"1SV@3:1": "the comment of line 2 says glue"}),
@@ -192,6 +197,7 @@ def drill(cell: Cell) -> Cell:
     return cell
 
 
+@pytest.mark.slow
 def test_also_tries_a_number_of_the_process(drill: Cell) -> None:
     out = drill("improve", "drill.mnt").out
     assert "process speeds, held: --also SPEED[0]@3 tries one\n" in out

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.cli.programs import Cell
 
 # The clamp must say closed within 1.5 s of a stroke that takes 2.1 s, and 1.1 s with the edits.
@@ -42,6 +44,7 @@ def improved(cell: Cell, late: str) -> tuple[int, str, str]:
     return ran.status, ran.out, ran.err
 
 
+@pytest.mark.slow
 def test_edits_that_change_a_printed_line_in_a_way_are_refused(cell: Cell) -> None:
     status, out, err = improved(cell, 'STOP(0) : Print "CLAMP" : Exit')
     assert status == 1
@@ -57,6 +60,7 @@ def test_edits_that_change_a_printed_line_in_a_way_are_refused(cell: Cell) -> No
     )
 
 
+@pytest.mark.slow
 def test_a_way_that_only_goes_elsewhere_is_named(cell: Cell) -> None:
     status, out, err = improved(cell, "OUTX(3) = 1")
     assert (status, err) == (0, "")

@@ -69,7 +69,7 @@ def read(path: Path) -> None:
 @pytest.mark.parametrize(
     ("seeds", "rows"),
     [
-        pytest.param(range(100), 100, id="100"),
+        pytest.param(range(30), 100, id="30"),
         pytest.param(range(100, 2100), 400, id="2000", marks=pytest.mark.slow),
     ],
 )
