@@ -1,4 +1,4 @@
-"""Random jobs as Mint programs, each from a seed: contours, masters and slaves.
+"""Random jobs as Mint programs, each from a seed: single moves, contours, masters and slaves.
 
 Contours have limits, and events while they move.
 """
@@ -8,6 +8,27 @@ from __future__ import annotations
 import random
 
 PAUSES = ("PAUSE IDLE(0)", "PAUSE IDLE(1)", "PAUSE IDLE(2)")
+
+
+class Moves:
+    """Moves of one axis with waits between them, and sometimes a stop at the end."""
+
+    def __init__(self, seed: int) -> None:
+        choose = random.Random(seed)
+        speed, accel, decel = (round(choose.uniform(5, 200), 3) for _ in range(3))
+        self.lines = [f"SPEED(0) = {speed}", f"ACCEL(0) = {accel}", f"DECEL(0) = {decel}"]
+        if choose.random() < 0.5:
+            jerks = (round(choose.uniform(100, 5000), 3) for _ in range(2))
+            self.lines.append("PROFILEMODE(0) = 1 : ACCELJERK(0) = {} : DECELJERK(0) = {}".format(*jerks))
+        for _ in range(choose.randrange(1, 5)):
+            self.lines.append(f"MOVER(0) = {round(choose.uniform(-300, 300), 3)} : GO(0)")
+            self.lines += [PAUSES[0], f"WAIT {choose.randrange(20, 2000)}"]
+        if choose.random() < 0.4:
+            self.lines += ["MOVER(0) = 500 : GO(0)", "WAIT 700", "STOP(0)", PAUSES[0]]
+
+    @property
+    def text(self) -> str:
+        return "\n".join(self.lines) + "\n"
 
 
 class Contour:

@@ -1,4 +1,4 @@
-"""Relations for contours, with and without events, and for masters and slaves.
+"""Relations for single moves, for contours with and without events, and for masters and slaves.
 
 `MOTIONLANG_LONG=500` runs that many random programs per relation and kind.
 """
@@ -15,11 +15,12 @@ from random import Random
 import pytest
 
 from motionlang.kernel import Run
-from tests.metamorphic.jobs import Contour, Train
+from tests.metamorphic.jobs import Contour, Moves, Train
 from tests.metamorphic.runs import grid, proved
 
 SEEDS = range(int(os.environ.get("MOTIONLANG_LONG", "6")))
-KINDS: dict[str, Callable[[int], Contour | Train]] = {
+KINDS: dict[str, Callable[[int], Moves | Contour | Train]] = {
+    "moves": Moves,
     "contours": lambda seed: Contour(seed, events=False),
     "contours with events": lambda seed: Contour(seed, events=True),
     "masters and slaves": Train,
@@ -68,7 +69,7 @@ def near(found: list[list[float]], wanted: list[list[float]], within: float = 1e
 
 
 def mirrored(program: str) -> str:
-    """Return a contour rotated by 180 degrees."""
+    """Return moves in the other direction, or a contour rotated by 180 degrees."""
 
     def negated(found: re.Match[str]) -> str:
         values = found[3].split(", ")
@@ -76,11 +77,11 @@ def mirrored(program: str) -> str:
         signed = [value if k in unsigned else repr(-float(value)) for k, value in enumerate(values)]
         return f"{found[1]}{', '.join(signed)}"
 
-    words = r"((VECTOR[RA]|CIRCLER|HELIXR)\([\d, ]+\) = )([-\d., ]*\d)"
+    words = r"((MOVER|VECTOR[RA]|CIRCLER|HELIXR)\([\d, ]+\) = )([-\d., ]*\d)"
     return re.sub(words, negated, program)
 
 
-@pytest.mark.parametrize("kind", ["contours", "contours with events"])
+@pytest.mark.parametrize("kind", ["moves", "contours", "contours with events"])
 def test_the_mirrored_program_does_the_mirrored_motion(kind: str) -> None:
     for seed in SEEDS:
         program = text(kind, seed)

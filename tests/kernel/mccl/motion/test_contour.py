@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from math import hypot, pi
+from math import hypot
 
 import pytest
 
@@ -20,42 +20,6 @@ def state(run: Run, time: float) -> tuple[float, float, float, float]:
     """Return position and velocity of both axes: x, y, vx, vy."""
     a, b = (run.controller.axes[axis].at(time) for axis in (1, 2))
     return a.position, b.position, a.velocity, b.velocity
-
-
-@pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
-def test_a_full_circle_stays_on_the_circle(shape: str, mccl: Runner) -> None:
-    result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\n1WS,1TP,2TP")
-    assert result.output == ["01 0", "02 0"]
-    begin = result.controller.log.moves[0].start_time
-    for k in range(401):
-        x, y, vx, vy = state(result, begin + (result.time - begin) * k / 400)
-        assert hypot(x - 10000, y) == pytest.approx(10000, abs=2e-4)
-        assert hypot(vx, vy) <= 20000.5
-    middle = state(result, begin + (result.time - begin) / 2)
-    assert hypot(*middle[2:]) == pytest.approx(20000, rel=1e-6)
-
-
-def test_paths_that_join_smoothly_are_run_through(mccl: Runner) -> None:
-    """100 000, a half circle of radius 50 000 and 100 000: one ramp up, one down."""
-    text = f"{HEAD}1CP1,1MA100000,2MA0\n1CP3,1CA100000,2CA50000,1MA100000,2MA100000\n1CP1,1MA0,2MA100000\n1WS,1TX"
-    result = mccl(text)
-    assert result.output == ["01 3"]
-    assert [(move.axis, move.line, move.ended) for move in result.controller.log.moves] == [
-        (axis, line, "") for line in (2, 3, 4) for axis in (1, 2)
-    ]
-    length = 200000 + 50000 * pi
-    duration = sum(move.profile.duration for move in result.controller.log.moves[::2])  # type: ignore[misc, union-attr]
-    assert duration == pytest.approx(length / 20000 + 0.1, rel=1e-9)
-    for time in (2.0, 6.0, 9.0, 12.0):
-        assert hypot(*state(result, time)[2:]) == pytest.approx(20000, rel=1e-6)
-
-
-def test_at_a_corner_the_axes_come_to_rest(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1CP1,1MA10000,2MA0\n1CP1,1MA10000,2MA10000\n1WS")
-    first, second = (move for move in result.controller.log.moves if move.axis == 1)
-    assert first.profile.duration == pytest.approx(0.6)  # type: ignore[union-attr]
-    assert second.start_time == pytest.approx(first.start_time + 0.6, abs=1e-9)
-    assert state(result, second.start_time)[2:] == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("wait", [0.45 + k * 0.0043 for k in range(34)])
@@ -80,42 +44,6 @@ def test_a_stop_never_runs_beyond_the_end_of_the_paths(mccl: Runner, shape: str,
     assert 9990.0 < move.profile.end <= 10000.0
 
 
-@pytest.mark.parametrize("command", ["1ST", "1VO0.3"])
-@pytest.mark.parametrize("wait", [0.0, 0.02, 0.137, 0.4])
-def test_an_arc_that_is_stopped_or_slowed_stays_on_the_circle(
-    mccl: Runner, command: str, wait: float
-) -> None:
-    """That is true at any time, including between two of the cubics of the arc."""
-    result = mccl(f"{HEAD}1CP3,1CR-5000,2CR0,1EA180\nWA{wait},{command}\n1WS")
-    assert result.diagnostics == []
-    for k in range(200):
-        x, y, vx, vy = state(result, result.time * k / 200)
-        assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
-        assert (x + 5000) * vx + y * vy == pytest.approx(0.0, abs=5000 * 20000 * 1e-5)
-
-
-@pytest.mark.parametrize(
-    ("path", "end"),
-    [
-        ("1CP3,1CA0,2CA10000,1MA10009,2MA10000", (10009, 10000)),
-        ("1CP2,1CA5000,2CA0,1MA9996,2MA0", (9996, 0)),
-        ("1CP3,1CA0,2CA10000,1MA10,2MA-5", (10, -5)),  # half a thousandth of the radius, at the very start
-        ("1CP3,1CA-10000,2CA0,1MA-10000,2MA-10003", (-10000, -10003)),  # three quarters of a circle
-    ],
-)
-def test_an_arc_that_misses_its_end_a_little_goes_through_it(
-    path: str, end: tuple[int, int], mccl: Runner
-) -> None:
-    """By the proof it is one circle at the vector velocity, without a jump."""
-    result = run(Source("test.mcl", f"{HEAD}{path}\n1WS,1TP,2TP"))
-    assert result.output == [f"01 {end[0]}", f"02 {end[1]}"]
-    assert prove(result).violations == []
-    begin = result.controller.log.moves[0].start_time
-    times = [begin + (result.time - begin) * k / 2000 for k in range(2001)]
-    distances = [hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise([state(result, t) for t in times])]
-    assert max(distances) <= 20000 * (result.time - begin) / 2000 * (1 + 1e-9)
-
-
 def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_through(mccl: Runner) -> None:
     """The second path continues 3001, 997 by half of it, rounded to whole counts."""
     result = run(Source("test.mcl", f"{HEAD}1CP1,1MA3001,2MA997\n1CP1,1MA4502,2MA1496\n1WS,1TX"))
@@ -124,22 +52,6 @@ def test_paths_whose_directions_differ_by_the_rounding_of_their_ends_are_run_thr
     first, second = (move for move in result.controller.log.moves if move.axis == 1)
     assert first.profile is not None
     assert first.profile.end_velocity > 1000.0
-
-
-def test_the_override_acts_on_the_path_under_way(mccl: Runner) -> None:
-    result = mccl(f"{HEAD}1CP1,1MA60000,2MA80000\nWA1,1VO0.5\n1WS,1TP,2TP")
-    assert result.output == ["01 60000", "02 80000"]
-    assert hypot(*state(result, 2.0)[2:]) == pytest.approx(10000, rel=1e-9)
-
-
-def test_a_scaled_contour_is_measured_in_its_own_units(mccl: Runner) -> None:
-    """Axis 2 has twice the counts per millimetre; the path is a circle in millimetres."""
-    text = "1US100,2US200,1MN,2MN,1CM1,2CM1,1VV50,1VA500,1VD500\n1CP2,1CR40,2CR0,1MR0,2MR0\n1WS"
-    result = mccl(text)
-    begin, end = result.controller.log.moves[0].start_time, result.time
-    for k in range(101):
-        x, y, _, _ = state(result, begin + (end - begin) * k / 100)
-        assert hypot(x / 100 - 40, y / 200) == pytest.approx(40, abs=2e-6)
 
 
 @pytest.mark.parametrize("then", ["1VO0.5", "1CP1,1MR20000,2MR20000", "NO"])
@@ -171,15 +83,6 @@ def test_an_arc_whose_axes_are_given_a_new_zero_stays_a_circle(mccl: Runner) -> 
             for move in moves[:2]
         )
         assert hypot(x + 5000, y) == pytest.approx(5000, abs=1e-3)
-
-
-@pytest.mark.parametrize("shape", ["1PT", "1PS", "1PS0.2", "1PP"])
-def test_an_arc_is_exact(shape: str, mccl: Runner) -> None:
-    result = mccl(f"{HEAD}{shape}\n1CP2,1CR10000,2CR0,1MR0,2MR0\nWA1,1ST,1WS")
-    for k in range(401):
-        x, y, vx, vy = state(result, result.time * k / 400)
-        assert hypot(x - 10000, y) == pytest.approx(10000, abs=1e-7)
-        assert (x - 10000) * vx + y * vy == pytest.approx(0.0, abs=1e-3)
 
 
 @pytest.mark.parametrize("path", [True, False], ids=["contour", "move"])

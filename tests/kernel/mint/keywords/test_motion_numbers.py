@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi, radians, sin, sqrt
+from math import pi, sin, sqrt
 
 import pytest
 
@@ -64,58 +64,6 @@ def test_the_samples_of_the_first_s_ramp() -> None:
     for time, position, velocity in FIRST:
         assert profile.position(time) == pytest.approx(position, abs=1e-9)
         assert profile.velocity(time) == pytest.approx(velocity, abs=1e-9)
-
-
-def test_an_arc_lies_on_its_circle() -> None:
-    result = ran(
-        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nCIRCLER(0, 1) = 0, 50, 270 : GO(0)\nPAUSE IDLE(0)"
-    )
-    x, y = (move.profile for move in result.controller.log.moves)
-    assert x is not None
-    assert y is not None
-    length = 50 * radians(270)
-    assert x.duration == pytest.approx(length / 100 + 0.1, abs=1e-9)
-    for k in range(101):
-        t = x.duration * k / 100
-        assert x.position(t) ** 2 + (y.position(t) - 50) ** 2 == pytest.approx(2500.0, rel=1e-9)
-    middle = x.duration / 2
-    angle = radians(-90 + 135)
-    there = [50 * cos(angle), 50 + 50 * sin(angle)]
-    assert [x.position(middle), y.position(middle)] == pytest.approx(there, abs=1e-6)
-
-
-def test_scales_do_not_bend_a_path() -> None:
-    """A path is straight in user units: 3 : 4, with 100 and 7 counts per unit."""
-    result = ran(
-        "SCALEFACTOR(0) = 100 : SCALEFACTOR(1) = 7\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
-        "VECTORR(0, 1) = 30, 40 : GO(0)\nPAUSE IDLE(0)"
-    )
-    x, y = (move.profile for move in result.controller.log.moves)
-    assert x is not None
-    assert y is not None
-    assert x.duration == pytest.approx(0.6, abs=1e-12)
-    assert y.position(0.25) / 7 == pytest.approx(x.position(0.25) / 100 * 4 / 3, rel=1e-12)
-
-
-def test_a_shear_is_as_fast_as_its_master_while_it_cuts() -> None:
-    result = ran(
-        "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\nMASTERCHANNEL(1) = 0\nMOVEBUFFERSIZE(1) = 3\n"
-        "MASTERDISTANCE(1) = 20 : FLY(1) = 10\nMASTERDISTANCE(1) = 10 : FLY(1) = 10\n"
-        "MASTERDISTANCE(1) = 20 : FLY(1) = 10\nGO(1)\nMOVER(0) = 60 : GO(0)\nPAUSE IDLE(0)"
-    )
-    master, slave = result.controller.axes[0], result.controller.axes[1]
-    start = result.controller.log.moves[1].start_time
-    for k in range(601):
-        t = start + k / 1000
-        m, s = master.position(t), slave.position(t)
-        if m <= 20:
-            assert s == pytest.approx(m * m / 40, abs=1e-9)
-        elif m <= 30:
-            assert s == pytest.approx(m - 10, abs=1e-9)
-        elif m <= 50:
-            assert s == pytest.approx(30 - (50 - m) ** 2 / 40, abs=1e-9)
-        else:
-            assert s == pytest.approx(30.0, abs=1e-9)
 
 
 def test_a_continuous_spline_goes_over_into_itself() -> None:
