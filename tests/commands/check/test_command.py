@@ -3,44 +3,11 @@
 from __future__ import annotations
 
 import io
-import json
 import sys
 
 import pytest
 
 from tests.cli.programs import Cell
-
-
-def test_every_file_has_its_line_and_its_mistakes(cell: Cell) -> None:
-    ran = cell("check", "ballscrew.mcl", "wrong.mcl", "none.mcl", "pick.txt")
-    assert ran.status == 1
-    assert [line for line in ran.out.splitlines() if line.endswith((" problems", " 1 error"))] == [
-        "ballscrew.mcl: no problems", "wrong.mcl: 1 error", "none.mcl: 1 error", "pick.txt: 1 error",
-    ]  # fmt: skip
-    assert " --> wrong.mcl:2:1\n" in ran.out
-    assert "error[file]: none.mcl cannot be read: no such file or directory\n" in ran.out
-    assert "error[file]: unknown language of pick.txt" in ran.out
-
-
-def test_nothing_is_wrong(cell: Cell) -> None:
-    ran = cell("check", "ballscrew.mcl")
-    assert (ran.status, ran.out, ran.err) == (0, "ballscrew.mcl: no problems\n", "")
-
-
-def test_json(cell: Cell) -> None:
-    document = json.loads(cell("check", "wrong.mcl", "--format", "json").out)
-    assert document["schema"] == "motionlang/1"
-    (file,) = document["files"]
-    assert (file["file"], file["dialect"]) == ("wrong.mcl", "mccl")
-    assert document["diagnostics"][0]["code"] == "unknown-word"
-
-
-def test_warnings_are_no_mistakes_unless_strict(cell: Cell) -> None:
-    cell.write("idle.mnt", "Dim spare As Integer\n")
-    ran = cell("check", "idle.mnt")
-    assert (ran.status, ran.out.splitlines()[-1]) == (0, "idle.mnt: 1 warning")
-    assert "warning[unused-variable]: spare is declared and never used\n --> idle.mnt:1:5\n" in ran.out
-    assert cell("check", "idle.mnt", "--strict").status == 1
 
 
 def test_the_machine_is_given_or_next_to_the_program(cell: Cell) -> None:

@@ -11,31 +11,6 @@ from motionlang.kernel import Source, run
 from motionlang.kernel.report import moves
 from tests.cli.programs import Cell
 
-THIRD = """\
-figure      value
-───────────────────────────────────────
-distance       20  uu     given
-time          0.6  s      given
-accel time    0.2  s      T / 3
-slew time     0.2  s      T / 3
-decel time    0.2  s      T / 3
-speed          50  uu/s   D / (Ta + Ts)
-accel         250  uu/s²  Sp / Ta
-decel         250  uu/s²  Sp / Td
-
-Mint
-  SPEED(0) = 50
-  ACCEL(0) = 250
-  DECEL(0) = 250
-  MOVER(0) = 20
-  GO(0)
-
-MCCL
-  1MN,1PM,1PT
-  1SV50,1SA250,1DS250
-  1MR20,1WS0
-"""
-
 LINES = [
     ("--distance", "20", "--time", "0.6", "--rule", "third"),
     ("--distance", "20", "--time", "0.6", "--rule", "quarter", "--scale", "1200"),
@@ -53,10 +28,6 @@ def figures(document: dict[str, Any]) -> dict[str, float]:
 
 def programs(document: dict[str, Any]) -> dict[str, str]:
     return {row["dialect"]: row["program"] for row in document["programs"]}
-
-
-def test_the_third_rule(cell: Cell) -> None:
-    assert cell("plan", "--distance", "20", "--time", "0.6", "--rule", "third").out == THIRD
 
 
 @pytest.mark.parametrize("line", LINES, ids=" ".join)
@@ -90,12 +61,6 @@ def test_mccl_without_a_scale_knows_whole_counts_only(cell: Cell) -> None:
     assert note not in cell("plan", "--distance", "20", "--time", "0.6", "--rule", "third").out
 
 
-def test_what_was_assumed_is_stated(cell: Cell) -> None:
-    out = cell("plan", "--distance", "20", "--speed", "50", "--accel", "250").out
-    assert "decel         250  uu/s²  assumed\n" in out
-    assert "accel         250  uu/s²  given\n" in out
-
-
 @pytest.mark.parametrize(
     ("line", "message"),
     [
@@ -117,36 +82,6 @@ def test_figures_that_make_no_move(cell: Cell, line: tuple[str, ...], message: s
     ran = cell("plan", *line)
     assert (ran.status, ran.out) == (2, "")
     assert ran.err.startswith(f"motionlang plan: error: {message}")
-
-
-def test_a_move_too_short_for_its_speed_says_how_fast_it_gets(cell: Cell) -> None:
-    """10 at 300 with 2000 reaches at most sqrt(10 * 2000) = 141.4, after 0.0707 s.
-
-    A peak of 300 needs a distance of 300^2/2000 = 45.
-    """
-    document = json.loads(
-        cell("plan", *["--distance", "10", "--speed", "300", "--accel", "2000", "--format", "json"]).out
-    )
-    assert figures(document)["speed"] == pytest.approx(141.4213562)
-    assert figures(document)["time"] == pytest.approx(0.1414213562)
-    assert figures(document)["slew_time"] == 0.0
-    (note,) = document["notes"]
-    assert note == (
-        "the move does not reach 300 uu/s: its peak is 141.421 after 0.0707107 s; "
-        "it needs a distance of 45 uu, or 9000 uu/s² for acceleration and deceleration"
-    )
-    for name, program in programs(document).items():
-        assert "300" in program
-        ran = run(Source(f"plan.{name}", program), dialect=name)
-        (move,) = moves(ran)
-        assert move["peak_speed"] == pytest.approx(141.4213562)
-        assert move["duration"] == pytest.approx(0.1414213562)
-    assert (
-        json.loads(
-            cell("plan", *["--distance", "45", "--speed", "300", "--accel", "2000", "--format", "json"]).out
-        )["notes"]
-        == []
-    )
 
 
 def test_ramp_times_of_a_move_too_short_are_those_to_the_commanded_speed(cell: Cell) -> None:
@@ -178,27 +113,6 @@ def test_counts_per_unit_from_what_the_machine_is_built_of(
     assert document["scale"] == pytest.approx(scale, rel=1e-12)
     assert document["notes"] == [f"scale: {how}"]
     assert f"SCALE(0) = {scale:.10g}\n" in cell(*line).out
-
-
-@pytest.mark.parametrize(
-    ("line", "hint"),
-    [
-        (
-            "--distance 20 --time 0.6 --speed 5",
-            "speed above 33.3333 and up to 66.6667; time above 4 and up to 8; distance from 1.5 to below 3",
-        ),
-        (
-            "--distance 20 --time 0.1 --accel 100",
-            "accel 8000 or more; time 0.894427 or more; distance 0.25 or less",
-        ),
-        ("--distance 20 --time 0.6 --speed 50 --accel 3", "accel 250"),
-        ("--distance 20 --time 1 --speed 50 --accel 500 --decel 500", "distance 45; time 0.5"),
-    ],
-)
-def test_an_impossible_demand_says_which_value_to_change(cell: Cell, line: str, hint: str) -> None:
-    ran = cell("plan", *line.split())
-    assert ran.status == 2
-    assert f"\n  hint: change one: {hint}" in ran.err
 
 
 @pytest.mark.parametrize(

@@ -8,32 +8,12 @@ import re
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from motionlang.cli import run_command as simulated
 from motionlang.cli.commands import COMMANDS
 from tests.cases import cases
 from tests.cli.programs import BALLSCREW, Cell
-
-TABLE = """\
-01 200.000000
-
-ballscrew.mcl · MCCL · ended after 1.00009 s · 1 move
-
-axis  command  line  profile      start  time  from   to  distance  peak
-                                      s     s    uu   uu        uu  uu/s
-────────────────────────────────────────────────────────────────────────
-   1  MR          4  trapezoid  0.00008   1.0     0  200       200   250
-      ├ accel                             0.2                   25
-      ├ slew                              0.6                  150
-      └ decel                             0.2                   25
-
-axis  position  counts      scale  feedback  state
-            uu          counts/uu
-──────────────────────────────────────────────────
-   1       200  240000       1200  demand    on
-"""
 
 WRONG = """\
 error[unknown-word]: there is no command XX (?1: unrecognised command)
@@ -53,32 +33,6 @@ error[disabled-axis]: axis 2 is off
 def without_hints(text: str) -> str:
     """Return a text without its hints, which depend on the language."""
     return "".join(line for line in text.splitlines(keepends=True) if "hint: " not in line)
-
-
-def test_output_then_the_table(cell: Cell) -> None:
-    ran = cell("run", "ballscrew.mcl")
-    assert (ran.status, ran.out, ran.err) == (0, TABLE, "")
-
-
-def test_only_the_programs_own_output(cell: Cell) -> None:
-    assert cell("run", "ballscrew.mcl", "--format", "none").out == "01 200.000000\n"
-
-
-def test_json_is_one_document_and_nothing_else(cell: Cell) -> None:
-    ran = cell("run", "ballscrew.mcl", "--format", "json")
-    report = json.loads(ran.out)
-    assert (ran.status, ran.err) == (0, "")
-    assert report["output"] == ["01 200.000000"]
-    assert report["moves"][0]["phases"][1] == {
-        "name": "slew",
-        "duration": pytest.approx(0.6),
-        "distance": 150.0,
-    }
-
-
-def test_mistakes_go_to_standard_error(cell: Cell) -> None:
-    ran = cell("run", "wrong.mcl", "--format", "none")
-    assert (ran.status, ran.out, without_hints(ran.err)) == (1, "?1\n", WRONG)
 
 
 def test_json_has_the_mistakes_too(cell: Cell) -> None:
@@ -126,11 +80,6 @@ def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
     assert json.loads(ran.out)["schema"] == "motionlang.report/2"
 
 
-def test_until_ends_what_would_go_on(cell: Cell) -> None:
-    report = json.loads(cell("run", "jog.mcl", "--until", "2.5", "--format", "json").out)
-    assert (report["time"], report["moves"][0]["ended"]) == (2.5, "end-of-run")
-
-
 def test_set_gives_machine_keys_their_kind(cell: Cell) -> None:
     ran = cell("run", "ballscrew.mcl", "--set", "controller.instruction_time=1e-3", "--format", "json")
     assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-3)
@@ -143,30 +92,6 @@ def test_the_machine_file_and_what_overrides_it(cell: Cell) -> None:
     override = ("--set", "controller.instruction_time=1e-6")
     ran = cell("run", "ballscrew.mcl", "--machine", "cell.toml", *override, "--format", "json")
     assert json.loads(ran.out)["moves"][0]["start_time"] == pytest.approx(8e-6)
-
-
-def test_trace_and_plot_are_written_after_the_run(cell: Cell) -> None:
-    for line in ("trace ballscrew.mcl x.npz --rate 200", "plot ballscrew.mcl x.svg"):
-        ran = cell(*line.split())
-        assert (ran.status, ran.err) == (0, "")
-    with np.load(cell.folder / "x.npz") as archive:
-        assert archive["axis1_position_uu"][-1] == 200.0
-        assert len(archive["time_s"]) == 202
-    assert (cell.folder / "x.svg").read_text().startswith("<svg")
-
-
-def test_a_trace_has_the_columns_that_were_chosen(cell: Cell) -> None:
-    trace = ("trace", "ballscrew.mcl", "x.csv", "--rate", "10", "--columns")
-    assert cell(*trace, "jerk.1,position").status == 0
-    rows = (cell.folder / "x.csv").read_text().splitlines()
-    assert rows[0] == "time_s,axis1_jerk_uu_per_s3,axis1_position_uu"
-    ran = cell(*trace, "speed")
-    assert (ran.status, ran.out) == (2, "")
-    assert (
-        "'speed' is not a quantity of an axis; choose from position, velocity, acceleration, jerk, actual"
-        in ran.err
-    )
-    assert "'jerk.9': there is no axis 9" in cell(*trace, "jerk.9").err
 
 
 def test_a_picture_shows_the_requested_window(cell: Cell) -> None:
@@ -187,22 +112,6 @@ def test_a_page_and_an_svg_need_no_matplotlib(cell: Cell, monkeypatch: pytest.Mo
         ran = cell(verb, "ballscrew.mcl", file)
         assert ran.status == 1
         assert f'python -m pip install "motionlang[{extra}]"' in ran.err
-
-
-def test_the_trace_as_the_controller_computes_it(cell: Cell) -> None:
-    run = ("trace", "ballscrew.mcl", "x.csv", "--points")
-    assert cell(*run).status == 0
-    rows = (cell.folder / "x.csv").read_text().splitlines()
-    assert rows[5:10] == [
-        "0.001000000,0.000000000,0.625000000,625.000000000",
-        "0.001250000,0.000156250,0.625000000,625.000000000",
-        "0.001500000,0.000312500,0.625000000,625.000000000",
-        "0.001750000,0.000468750,0.625000000,625.000000000",
-        "0.002000000,0.000625000,1.875000000,1250.000000000",
-    ]
-    assert cell(*run, "100", "--rate", "200").status == 0
-    rows = (cell.folder / "x.csv").read_text().splitlines()
-    assert rows[4] == "0.015000000,0.031250000,6.250000000,625.000000000"
 
 
 @cases(
@@ -270,20 +179,6 @@ def test_realtime_waits_as_long_as_the_machine_takes(cell: Cell, monkeypatch: py
     assert clock[0] - 100.0 == pytest.approx(0.5, abs=1e-3)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "seconds"),
-    [(("ballscrew.mcl", "--realtime"), 1.0), (("--realtime", "3", "jog.mcl", "--until", "2"), 2.0 / 3.0)],
-)
-def test_realtime_needs_no_factor(
-    arguments: tuple[str, ...], seconds: float, cell: Cell, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    clock = [100.0]
-    monkeypatch.setattr(simulated, "monotonic", lambda: clock[0])
-    monkeypatch.setattr(simulated, "sleep", lambda seconds: clock.__setitem__(0, clock[0] + seconds))
-    cell("run", *arguments, "--format", "none")
-    assert clock[0] - 100.0 == pytest.approx(seconds, abs=1e-3)
-
-
 def test_ctrl_c_reports_what_ran_so_far(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(seconds: float) -> None:
         raise KeyboardInterrupt
@@ -312,13 +207,6 @@ def test_paths_are_shown_as_they_were_given(cell: Cell) -> None:
     assert " --> cell/x.mcl:1:1\n" in cell("run", "cell/x.mcl").err
 
 
-def test_no_command_at_all_is_answered_with_the_next_steps(cell: Cell) -> None:
-    ran = cell()
-    assert (ran.status, ran.out) == (2, "")
-    assert "motionlang run ballscrew.mcl " in ran.err
-    assert "motionlang --help " in ran.err
-
-
 @pytest.mark.parametrize("command", COMMANDS)
 def test_every_command_is_listed_and_explained(cell: Cell, command: str) -> None:
     assert re.search(rf"\n  {command}\s", cell("--help").out)
@@ -332,16 +220,6 @@ def test_a_setting_of_any_length_is_reported(cell: Cell, value: str) -> None:
     assert ran.status in (1, 2)
     assert "controller.axes must be " in ran.err
     assert len(ran.err) < 500
-
-
-def test_a_forgotten_go_is_reported_by_the_run(cell: Cell) -> None:
-    cell.write("forgotten.mnt", "MOVER(0) = 10\nGO(0)\nPAUSE IDLE(0)\n  MOVER(0) = -10\nMOVER(1) = 3\n")
-    ran = cell("run", "forgotten.mnt", "--format", "none")
-    assert ran.status == 0
-    assert ran.err.count("warning[never-started]") == 2
-    assert "forgotten.mnt:4:3" in ran.err
-    assert "MOVER on axis 1 was loaded and never started" in ran.err
-    assert "hint: GO(1) starts the buffered moves" in ran.err
 
 
 def test_more_than_a_page_takes_is_reported(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:

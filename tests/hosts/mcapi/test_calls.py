@@ -45,37 +45,6 @@ def test_half_way_of_a_symmetrical_move(host: Mcapi) -> None:
     assert host.GetVelocityActual(1) == pytest.approx(100_000.0 * SHORT_TIME / 2.0, rel=0.01)
 
 
-@pytest.mark.parametrize("divisor", range(1, 11))
-def test_what_is_set_is_read_back(host: Mcapi, divisor: int) -> None:
-    """The values of PMC's self-test: 12345/i, rounded down."""
-    value = float(12345 // divisor)
-    pairs = (
-        (host.SetAcceleration, host.GetAccelerationEx),
-        (host.SetDeceleration, host.GetDecelerationEx),
-        (host.SetVelocity, host.GetVelocityEx),
-        (host.SetGain, host.GetGain),
-        (host.SetTorque, host.GetTorque),
-        (host.SetPosition, host.GetPositionEx),
-        (host.SetAuxEncPos, host.GetAuxEncPosEx),
-        (host.SetVectorVelocity, host.GetVectorVelocity),
-    )
-    for put, get in pairs:
-        put(1, value)
-        assert get(1) == value
-
-
-def test_registers_keep_integers_exactly(host: Mcapi) -> None:
-    for number in range(30, 40):
-        host.SetRegister(number, 12345678 // number, mc.MC_TYPE_LONG)
-        assert host.GetRegister(number, mc.MC_TYPE_LONG) == 12345678 // number
-    host.SetRegister(30, -1, mc.MC_TYPE_LONG)
-    assert host.GetRegister(30, mc.MC_TYPE_LONG) == -1
-    host.SetRegister(31, 2.5, mc.MC_TYPE_DOUBLE)
-    assert host.GetRegister(31, mc.MC_TYPE_DOUBLE) == 2.5
-    with pytest.raises(McapiException):
-        host.GetRegister(31, mc.MC_TYPE_STRING)
-
-
 def test_a_macro_from_a_block(host: Mcapi) -> None:
     """Macro 1 sets the accumulator; after a reset of the macros a call of it fails."""
     host.BlockBegin(mc.MC_BLOCK_MACRO, 1)
@@ -87,26 +56,6 @@ def test_a_macro_from_a_block(host: Mcapi) -> None:
     host.BlockBegin(mc.MC_BLOCK_RESETM, 0)
     with pytest.raises(McapiException):
         host.MacroCall(1)
-
-
-def test_numeric_codes_come_from_the_machine_file() -> None:
-    """Only the numeric code of DW is documented.
-
-    AM2,RP2 multiplies by 8, as PMC's self-test expects.
-    """
-    host = opened({"mccl.codes.AM": 20, "mccl.codes.TC": 21})
-    host.BlockBegin(mc.MC_BLOCK_MACRO, 1)
-    host.pmccmdex(0, 20, 2, mc.MC_TYPE_LONG)
-    host.Repeat(2)
-    host.BlockEnd()
-    host.SetRegister(0, 246, mc.MC_TYPE_LONG)
-    host.MacroCall(1)
-    assert host.GetRegister(0, mc.MC_TYPE_LONG) == 246 * 8
-    host.pmccmdex(0, 21, 1, mc.MC_TYPE_LONG)
-    assert host.pmcrpyex(mc.MC_TYPE_LONG) == 0
-    assert host.pmccmdrpyex(0, 21, 1, mc.MC_TYPE_LONG, mc.MC_TYPE_LONG) == 0
-    host.pmccmdex(0, 22, 1, mc.MC_TYPE_LONG)
-    assert host.GetError() == mc.MCERR_NOTSUPPORTED
 
 
 def test_binary_replies_are_numbers_whatever_the_ascii_form() -> None:
@@ -236,22 +185,6 @@ def test_settings_of_an_ascii_host_are_read_from_the_board(host: Mcapi) -> None:
     assert host.GetLimits(1) == (mc.MC_LIMIT_SMOOTH | mc.MC_LIMIT_BOTH, mc.MC_LIMIT_ABRUPT, 0.0, 99.0)
 
 
-@pytest.mark.parametrize(
-    ("hard", "soft"),
-    [
-        (mc.MC_LIMIT_BOTH | mc.MC_LIMIT_SMOOTH, 0),
-        (mc.MC_LIMIT_PLUS | mc.MC_LIMIT_ABRUPT, 0),
-        (mc.MC_LIMIT_OFF, 0),
-        (0, mc.MC_LIMIT_PLUS | mc.MC_LIMIT_ABRUPT),
-        (0, mc.MC_LIMIT_BOTH),
-        (mc.MC_LIMIT_INVERT | mc.MC_LIMIT_MINUS, mc.MC_LIMIT_BOTH | mc.MC_LIMIT_SMOOTH),
-    ],
-)
-def test_limit_modes_are_read_back(host: Mcapi, hard: int, soft: int) -> None:
-    host.SetLimits(1, hard, soft, 100.0, 250.0)
-    assert host.GetLimits(1) == (hard, soft, 100.0, 250.0)
-
-
 def test_a_structure_is_read_back(host: Mcapi) -> None:
     motion, found = mc.MCMOTIONEX(), mc.MCMOTIONEX()
     values = [1000.0, 2000.0, 3000.0, 4.0, 2, 5.0, 6.0, 0.7, 2, 2, 11, 7, -8.0, 9.0, 1]
@@ -314,56 +247,6 @@ def test_status_bits_by_their_names(host: Mcapi) -> None:
     assert host.DecodeStatusEx(status, mc.MC_STAT_TRAJ) == 0
 
 
-def test_digital_channels(host: Mcapi) -> None:
-    """Channels 33 to 48 are outputs of a MultiFlex; a low-true channel is inverted."""
-    for channel in range(33, 49):
-        host.EnableDigitalIO(channel, True)
-        assert host.GetDigitalIOEx(channel) == 1
-    assert host.ConfigureDigitalIO(1, mc.MC_DIO_INPUT | mc.MC_DIO_LOW) == 1
-    assert host.GetDigitalIOConfig(1) == mc.MC_DIO_INPUT | mc.MC_DIO_LOW
-    assert host.GetDigitalIOEx(1) == 1
-    with pytest.raises(McapiException):
-        host.EnableDigitalIO(1, True)
-
-
-def test_analogue_channels_are_twelve_bits(host: Mcapi) -> None:
-    """0 V is the middle of the range 0 to 4095.
-
-    An output of 4095 is 10 V, 100 % of the channel.
-    """
-    assert host.GetAnalogEx(1) == 2048
-    host.SetAnalogEx(2, 4095)
-    assert host.board.console.board.controller.analogue_outputs[2] == 100.0
-
-
-def test_recorded_motion(host: Mcapi) -> None:
-    """One point per millisecond: at the time t the position is a·t²/2."""
-    host.EnableAxis(1, True)
-    host.BlockBegin(mc.MC_BLOCK_COMPOUND, 0)
-    host.MoveAbsolute(1, SHORT)
-    host.CaptureData(1, 50, 0.001, 0.0)
-    host.BlockEnd()
-    host.advance(0.1)
-    assert host.GetCaptureSettings(1) == (50, 0.001, 0.0, 50)
-    assert host.GetCount(1, mc.MC_COUNT_RECORD) == 50
-    # The recording begins 10 µs after the move.
-    wanted = [round(100_000.0 * (k * 1e-3 + 1e-5) ** 2 / 2.0) for k in range(50)]
-    assert host.GetCaptureData(1, mc.MC_CAPTURE_OPTIMAL, 0, 50) == wanted
-    assert host.GetCaptureData(1, mc.MC_CAPTURE_ERROR, 10, 5) == [0.0] * 5
-    with pytest.raises(McapiException):
-        host.GetCaptureData(1, mc.MC_CAPTURE_ACTUAL, 40, 11)
-
-
-def test_modules_and_abilities() -> None:
-    host = opened({"controller.model": "dcx-pci100", "controller.axes": 3, "axis.2.motor": "stepper"})
-    assert host.GetInstalledModules(4) == [mc.MC110, mc.MC150, mc.MC110, mc.NO_MODULE]
-    param, axis = mc.MCPARAMEX(), mc.MCAXISCONFIG()
-    host.GetConfigurationEx(param)
-    assert (param.ControllerType, param.NumberAxes, param.CanChangeRates) == (mc.DCXPCI100, 3, 0)
-    host.GetAxisConfiguration(2, axis)
-    assert (axis.MotorType, axis.ModuleType) == (mc.MC_TYPE_STEPPER, mc.MC150)
-
-
 # The capabilities of each model: gains with fractions, scaling, contouring, other profiles, other rates, tasks, a bit
 # for the target, and switches of the output.
 ABILITIES = {
@@ -418,24 +301,6 @@ def test_an_ascii_handle_has_its_own_accumulator() -> None:
     assert third.GetRegister(0, mc.MC_TYPE_LONG) == 22
 
 
-def test_text_of_the_ascii_interface() -> None:
-    """A read ends at the first CR or prompt; an error is `?` and its code."""
-    host = opened(mode=mc.MC_OPEN_ASCII)
-    buffer = bytearray(255)
-    assert host.pmcputs("1TP\r") == 4
-    assert host.pmcgets(buffer, 255) == 6
-    assert buffer[:7] == b"01 0\n>\0"
-    host.pmcputs("1XX\r")
-    assert host.pmcgets(buffer, 255) == 4
-    assert buffer[:4] == b"?1\n>"
-    assert host.pmcgets(buffer, 255) == 0
-    host.pmcputs("1TP,2TP\r")
-    # Room for three characters and the zero.
-    assert host.pmcgets(buffer, 4) == 3
-    assert buffer[:4] == b"01 \0"
-    assert (chr(host.pmcgetc()), chr(host.pmcgetc())) == ("0", "\n")
-
-
 def test_text_of_a_board_that_ends_lines_with_cr() -> None:
     """The prompt of an older board needs a separate read."""
     host = opened({"controller.model": "dcx-at200"}, mc.MC_OPEN_ASCII)
@@ -488,22 +353,6 @@ def test_a_reserved_interface(host: Mcapi) -> None:
     assert other.pmclock(50) == 0
     other.Close()
     assert host.pmclock(50) == 0
-
-
-def test_handles_are_used_again(host: Mcapi) -> None:
-    """PMC's self-test: a second handle has the next number, which closing frees.
-
-    While a handle is exclusive, no other binary handle can be opened.
-    """
-    other = Mcapi(host.board)
-    assert other.Open(0, mc.MC_OPEN_BINARY) == 2
-    other.Close()
-    assert other.Open(0, mc.MC_OPEN_BINARY) == 2
-    other.Close()
-    host.Reopen(mc.MC_OPEN_BINARY | mc.MC_OPEN_EXCLUSIVE)
-    assert other.Open(0, mc.MC_OPEN_BINARY) == -mc.MCERR_OPEN_EXCLUSIVE
-    assert other.Open(0, mc.MC_OPEN_ASCII) == 2
-    host.Reopen(mc.MC_OPEN_BINARY)
 
 
 def test_a_home_edge_and_its_flag() -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 import random
 import socket
 import sys
-import threading
 
 import pytest
 
@@ -24,33 +23,6 @@ def board(request: pytest.FixtureRequest, serve: Serve) -> Board:
     return serve(clock=request.param)
 
 
-def test_half_a_line_is_forgotten_with_its_host(board: Board) -> None:
-    """The next host begins with an empty line; the motor stays enabled."""
-    first = board.connect()
-    assert first.ask(b"1MN,1MR100,1WS") == b"\n>"
-    first.send(b"1MR50000,1V")
-    first.socket.close()
-    second = board.connect()
-    assert second.ask(b"1WS,1TP") == b"01 100\n>"
-    assert int(second.ask(b"1TS").split()[1]) & 2
-
-
-def test_motion_outlives_its_host(board: Board) -> None:
-    first, second = board.connect(), board.connect()
-    assert first.ask(b"1SA1000000,1DS1000000,1SV400000,1MN,1MR2000") == b"\n>"
-    first.break_off()
-    assert second.ask(b"1WS,1TP") == b"01 2000\n>"
-
-
-def test_a_background_task_outlives_its_host_silently(board: Board) -> None:
-    first, second = board.connect(), board.connect()
-    assert first.ask(b"MD1,1TP,AL@20,AA1,AR20,WA0.001,RP") == b"\n>"
-    first.ask(b"GT1")
-    first.break_off()
-    while int(second.ask(b"TR20").split()[0]) < 20:
-        pass
-
-
 def test_a_line_whose_host_is_gone_has_ten_seconds(serve: Serve) -> None:
     """Here it has 0.05 s: a closed connection soon frees its slot and the board."""
     board = serve(clock="real", limits=Limits(linger=0.05))
@@ -60,28 +32,6 @@ def test_a_line_whose_host_is_gone_has_ten_seconds(serve: Serve) -> None:
     assert first.all() == b""
     counted = second.ask(b"TR20")
     assert second.ask(b"WA0.02,TR20") == counted
-
-
-def test_a_line_of_250_kilobytes(board: Board) -> None:
-    first, second = board.connect(), board.connect()
-    sender = threading.Thread(target=first.send, args=(b"1MR1," * 50_000 + b"\r",))
-    sender.start()
-    for _ in range(20):
-        assert second.ask(b"2TP") == b"02 0\n>"
-    sender.join()
-    first.expect(b"?4\n>")
-    assert first.ask(b"1TP,TE") == b"01 0\n4\n>"
-
-
-def test_binary_garbage(board: Board) -> None:
-    noise = random.Random(1).randbytes(20_000)
-    first, second = board.connect(), board.connect()
-    first.send(noise + b"\r")
-    for _ in range(5):
-        assert second.ask(b"VE").startswith(b"MultiFlex")
-    first.send(b"\x11\x1b\x1b")
-    first.socket.shutdown(socket.SHUT_WR)
-    assert first.all()
 
 
 def test_a_host_that_never_reads_holds_up_only_itself(serve: Serve) -> None:
@@ -146,24 +96,6 @@ def test_no_command_reaches_the_file_system() -> None:
         assert answered > len(lines) * 0.9
     watching = False
     assert seen == []
-
-
-def test_an_internal_error_is_reported_and_costs_a_line(
-    serve: Serve, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    board = serve(clock="real")
-    first, second = board.connect(), board.connect()
-
-    def broken(*given: object) -> None:
-        raise ZeroDivisionError("so it is")
-
-    with monkeypatch.context() as patch:
-        patch.setattr("motionlang.hosts.mccl.port.PortTask.gate", broken)
-        first.send(b"1TP\r")
-        first.expect(b"?3\n>")
-    assert first.ask(b"1TP") == second.ask(b"1TP") == b"01 0\n>"
-    assert len(board.complaints) == 1
-    assert board.complaints[0].startswith("internal error, please report it: ZeroDivisionError: so it is (")
 
 
 @pytest.mark.parametrize("seed", range(4))

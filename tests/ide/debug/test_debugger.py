@@ -8,7 +8,7 @@ import pytest
 
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.debugger import Debugger
-from motionlang.ide.debug.moments import FILTERS, filtered, search
+from motionlang.ide.debug.moments import search
 from motionlang.kernel import ProgramError, Source, dialect, entries, run
 
 CALLS = """\
@@ -122,27 +122,7 @@ def test_macros_of_mccl_are_calls() -> None:
     assert value(debugger, "R10") == 2
 
 
-def test_a_breakpoint_stops_in_a_macro_each_time_it_runs() -> None:
-    debugger = mccl(MACROS)
-    debugger.set_breakpoints([at(debugger, 1)])
-    calls = []
-    stop = debugger.start(False)
-    while stop is not None:
-        state = debugger.state()
-        calls.append([frame.name for frame in state.frames(state.tasks()[0].task)])
-        stop = debugger.go_on()
-    assert calls == [["main"], ["macro 1", "main"], ["macro 1", "main"]]
-
-
 # ------------------------------------------------------------------------------------------------- breakpoints
-
-
-def test_a_condition_selects_the_hits_of_a_breakpoint() -> None:
-    debugger = mint(CALLS)
-    debugger.set_breakpoints([at(debugger, 5, "n = 2 And total > 1")])
-    debugger.start(False)
-    assert (value(debugger, "n"), value(debugger, "twice"), value(debugger, "total")) == (2, 4, 2)
-    assert debugger.go_on() is None
 
 
 def test_hits_are_counted_from_the_start_of_the_program() -> None:
@@ -156,17 +136,6 @@ def test_hits_are_counted_from_the_start_of_the_program() -> None:
     assert debugger.go_on() is None
     debugger.reverse()
     assert value(debugger, "i") == 3
-
-
-def test_log_point_prints_its_values_once() -> None:
-    messages: list[str] = []
-    debugger = mint(CALLS, log_message=messages.append)
-    debugger.set_breakpoints([at(debugger, 5, message="{n} gives {twice + 1}")])
-    debugger.start(False)
-    assert messages == ["1 gives 3", "2 gives 5", "3 gives 7"]
-    debugger.step_back()
-    debugger.go_on()
-    assert len(messages) == 3
 
 
 def test_reverse_goes_to_the_last_hit_before_the_stop() -> None:
@@ -216,56 +185,6 @@ def test_the_stop_is_the_first_statement_after_a_moment_of_several() -> None:
     stop = debugger.reverse()
     assert stop is not None
     assert (stop.line, stop.reason) == (6, "moment")
-
-
-def test_motion_and_channels_are_moments() -> None:
-    """The move begins at GO and takes 2.1 s."""
-    settings: dict[str, object] = {"input": [{"channel": 5, "at": 1.0, "value": 1}]}
-    debugger = mint(MOVE, settings)
-    debugger.searches = [
-        search(each, range(8))
-        for each in ("axis 0 starts", "axis 0 stops", "input 5 rises", "output 2 rises")
-    ]
-    debugger.start()
-    texts = []
-    while (stop := debugger.go_on()) is not None:
-        texts.append(stop.text)
-    assert [text.partition(" at ")[0] for text in texts] == [
-        "output 2 rises", "axis 0 starts MOVEA", "input 5 rises", "axis 0 stops",
-    ]  # fmt: skip
-    assert float(texts[3].split(" at ")[1].split()[0]) == pytest.approx(2.10005)
-
-
-def test_a_limit_is_found_and_what_was_before_it() -> None:
-    debugger = mint(MOVE, {"axis.0.travel": [-10.0, 60.0]})
-    debugger.searches = [filtered(FILTERS["limit"][1])]
-    debugger.stops_at_errors = True
-    debugger.start()
-    stop = debugger.go_on()
-    assert stop is not None
-    assert "limit of axis 0" in stop.text
-
-
-def test_an_error_stops_at_the_statement_that_fails() -> None:
-    debugger = mint("Dim a(3) As Integer, i As Integer\nFor i = 1 To 5\n  a(i) = i\nNext\n")
-    debugger.stops_at_errors = True
-    stop = debugger.start(False)
-    assert stop is not None
-    assert (stop.line, value(debugger, "i")) == (3, 4)
-    assert debugger.go_on() is None
-
-
-def test_a_change_of_a_variable_stops_after_it() -> None:
-    debugger = mint(CALLS)
-    debugger.start()
-    debugger.watched = [Watched(("module", "total"))]
-    stop = debugger.go_on()
-    assert stop is not None
-    assert stop.text.startswith("total changes from 0 to 2")
-    debugger.watched = []
-    found = debugger.last_change(("module", "total"))
-    assert found is not None
-    assert found.line == 5
 
 
 def test_changes_of_a_variable_are_found_backward_in_reverse() -> None:

@@ -242,27 +242,6 @@ def test_a_limit_switch_ends_the_motion_towards_it_only() -> None:
     assert axis.has(LIMIT) == [False]
 
 
-def test_an_error_is_cleared_when_the_axis_leaves_the_limit() -> None:
-    axis = Axis(PP, Switches(positive=1000.0))
-    axis.move(5000)
-    axis.at(1.0)
-    assert (axis.read(0x603F), axis.errors) == (0x8612, [0x8612])
-    axis.write(CONTROL, 0x8F)  # the axis is still at its limit
-    assert axis.read(0x603F) == 0x8612
-    axis.write(CONTROL, 0x0F)
-    axis.move(0)
-    assert (axis.read(0x603F), axis.errors) == (0, [0x8612, 0])
-
-
-def test_a_fault_reset_clears_the_error_of_a_homing() -> None:
-    axis = Axis(HM)
-    axis.write(METHOD, 0)
-    axis.write(CONTROL, 0x1F)
-    assert (axis.read(0x603F), axis.errors) == (0xFF02, [0xFF02])
-    axis.write(CONTROL, 0x8F)
-    assert (axis.read(0x603F), axis.errors) == (0, [0xFF02, 0])
-
-
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_motion_may_end_on_a_limit_switch_but_not_begin_there(sign: int) -> None:
     """The switches are 1000 counts from the start, and are bits 0 and 1 of 0x60FD."""
@@ -778,25 +757,6 @@ def test_a_mode_is_chosen_at_rest() -> None:
     axis.write(MODE, PP)
 
 
-@pytest.mark.parametrize(
-    ("index", "sub", "value"),
-    [
-        (MODE, 0, 4),
-        (SPEED, 0, 0),
-        (ACCEL, 0, 0),
-        (0x6086, 0, 3),
-        (METHOD, 0, 8),
-        (0x6099, 2, 0),
-        (0x605A, 0, 1),
-    ],
-)
-def test_values_that_are_not_simulated_are_refused(index: int, sub: int, value: int) -> None:
-    axis = Axis(PP)
-    with pytest.raises(SdoAbort) as refused:
-        axis.write(index, value, sub)
-    assert refused.value.args == (0x06090030,)
-
-
 def test_a_quick_stop_of_a_stopped_drive_disables_at_once() -> None:
     """With option 2, and only with it."""
     for option, status in ((2, 0x40), (6, 0x07)):
@@ -899,6 +859,8 @@ def test_a_reset_restores_the_values_at_power_up() -> None:
         (0x6086, 3, 0x06090030),
         (0x605A, 1, 0x06090030),
         (METHOD, 3, 0x06090030),
+        (MODE, 4, 0x06090030),
+        (METHOD, 8, 0x06090030),
         (SPEED, 0, 0x06090030),
         (ACCEL, 0, 0x06090030),
         (0x6084, 0, 0x06090030),
