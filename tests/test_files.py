@@ -189,28 +189,6 @@ def test_nothing_else_opens_a_file_for_writing() -> None:
     assert found == ELSEWHERE
 
 
-@pytest.mark.parametrize(
-    ("text", "seen"),
-    [
-        ("open(a)", False),
-        ("open(a, 'rb')", False),
-        ("open(a, encoding='utf-8')", False),
-        ("open(a, 'w')", True),
-        ("open(a, mode)", True),
-        ("open(a, mode='ab')", True),
-        ("os.open(a, flags)", True),
-        ("Path(a).write_text(b)", True),
-        ("os.replace(a, b)", True),
-        ("text.replace(a, b)", False),
-        ("shutil.copy(a, b)", True),
-    ],
-)
-def test_a_call_that_writes_is_seen(text: str, seen: bool) -> None:
-    call = ast.parse(text, mode="eval").body
-    assert isinstance(call, ast.Call)
-    assert writes(call) is seen
-
-
 def test_a_link_put_in_the_way_is_not_followed(tmp_path: Path) -> None:
     victim = tmp_path / "victim"
     victim.write_text("dear")

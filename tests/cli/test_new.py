@@ -56,22 +56,6 @@ def test_a_new_program_runs_and_is_clean(cell: Cell, name: str, file: str) -> No
     assert "2 of 2 limits met" in cell("certify", file).out
 
 
-@pytest.mark.parametrize("present", ["feed.mnt", "feed.machine.toml"])
-def test_a_file_that_exists_stays(cell: Cell, present: str) -> None:
-    cell.write(present, "mine")
-    ran = cell("init", "--new", "feed")
-    assert ran.status == 1
-    assert f"{present} exists" in ran.err
-    assert (cell.folder / present).read_text() == "mine"
-    assert len([path for path in cell.folder.iterdir() if path.name.startswith("feed")]) == 1
-
-
-def test_another_suffix_is_refused(cell: Cell) -> None:
-    ran = cell("init", "--new", "feed.txt")
-    assert ran.status == 2
-    assert ".mnt" in ran.err
-
-
 def test_a_folder_that_does_not_exist_is_an_error(cell: Cell) -> None:
     ran = cell("init", "--new", "no/feed")
     assert ran.status == 1

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -272,72 +271,6 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "real.csv").write_text(recorded(lambda t: (at(0, t - 0.2), at(1, t - 0.2))).text)
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-@pytest.mark.parametrize(
-    ("arguments", "status"),
-    [
-        (("two.mnt", "real.csv", "--map", "position.0=x", "--tolerance", "0.01"), 0),
-        (("two.mnt", "real.csv", "--map", "position.0=x", "--tolerance", "0.01", "--delay", "0.1"), 1),
-        (("two.mnt", "none.csv"), 1),
-        (("none.mnt", "real.csv"), 1),
-        (("two.xyz", "real.csv"), 1),
-        (("two.mnt", "real.csv", "--map", "position.0"), 2),
-        (("two.mnt", "real.csv", "--map", "position.0=x*y"), 2),
-        (("two.mnt", "real.csv", "--tolerance", "-1"), 2),
-        (("two.mnt", "real.csv", "--plot", "x.png"), 2),
-        (("two.mnt", "real.csv", "--delay", "nan"), 2),
-        (("two.mnt", "real.csv", "--until", "-1"), 2),
-    ],
-)
-def test_the_command_and_its_status(folder: Path, arguments: tuple[str, ...], status: int) -> None:
-    try:
-        found = main(["compare", *arguments])
-    except SystemExit as ended:
-        found = int(ended.code or 0)
-    assert found == status
-
-
-def test_json_and_a_page_with_both(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert (
-        main(
-            [
-                "compare",
-                "two.mnt",
-                "real.csv",
-                "--map",
-                "position.0=2",
-                "--format",
-                "json",
-                "--plot",
-                "x.html",
-            ]
-        )
-        == 0
-    )
-    report = json.loads(capsys.readouterr().out)
-    assert report["schema"] == "motionlang/1"
-    assert report["delay"] == pytest.approx(0.2, abs=1e-6)
-    assert '"quantity":"position"' in (folder / "x.html").read_text(encoding="utf-8").replace(" ", "")
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "time (ms),x\n0,1.5\n1,2.5\n2,3.5",
-        "# logger\n\ntime [ms];x\n0,0;1,5\n1,0;2,5\n2,0;3,5\n",
-        "time_ms\tx\n0\t1.5\n1\t2.5\n2\t3.5\n",
-        "Time    x\nms      mm\n0   1.5\n 1  2.5\n2   3.5\n",
-        '"time","x",\n"s","mm",\n0.000,1.5,\n0.001,2.5,\n0.002,3.5,\n',
-        "% made by a scope\r\ntime;x;;\r\nms;mm;;\r\n0;1,5;;\r\n1;2,5;;\r\n2;3,5;;",
-        "time;x;\n0;1.5;\n0.001;2.5;\n0.002;3.5;\n",
-    ],
-)
-def test_separators_decimal_commas_units_and_remarks(text: str) -> None:
-    """Another run rests at 0 in these 2 ms."""
-    (row,) = compared(Source("x.csv", text), {"position.0": "X"}, delay=0.0).signals
-    assert (row["points"], row["peak"], row["peak_time"]) == (3, pytest.approx(3.5), pytest.approx(0.002))
-    assert row["rms"] == pytest.approx(((1.5**2 + 2.5**2 + 3.5**2) / 3.0) ** 0.5)
 
 
 @pytest.mark.parametrize(

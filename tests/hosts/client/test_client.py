@@ -247,19 +247,6 @@ def test_two_clients_at_one_virtual_board(console: Console) -> None:
         assert (second.position(1), second.number("TR20")) == (700, 3)
 
 
-@pytest.mark.parametrize("model", ["dcx-pc100", "dcx-at200", "dcx-pci100", "dcx-pci300", "multiflex"])
-def test_every_model(model: str) -> None:
-    """It works with and without a prompt, and with any line ends."""
-    with Client.virtual({"controller.model": model}) as board:
-        assert board.prompts is (model != "dcx-pc100")
-        assert board.send("1MN,1MR400") == []
-        board.wait_for_stop(1)
-        assert board.send("1TP,2TP") == ["01 400", "02 0"]
-        with pytest.raises(CommandError):
-            board.send("1XX")
-        assert board.position(1) == 400
-
-
 def test_a_virtual_board_takes_no_wall_time() -> None:
     with Client.virtual() as board:
         board.send("1SV1,1MN,1MR3600")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import signal
-import socket
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -14,7 +13,6 @@ from pathlib import Path
 import pytest
 from pymodbus.client import ModbusTcpClient
 
-from motionlang.cli import main
 from tests.cli.programs import MAX_SECONDS
 from tests.hosts.mint.lines import answer_frame, read_frame, write_frame
 from tests.hosts.serve.conftest import Wire
@@ -109,20 +107,6 @@ def test_a_serial_device_with_pyserial(tmp_path: Path) -> None:
             assert line.read_until(b"P>") == b"\r\ntwice 42.0000\r\nP>"
 
 
-@pytest.mark.slow
-def test_lock_step_gives_every_host_the_same_machine(tmp_path: Path) -> None:
-    """Each frame takes 10 ms, in which the axis moves by 10 uu at 1000 uu/s."""
-    found = []
-    for _ in range(2):
-        with running(tmp_path, PACKER, "--tcp", "0", "--clock", "lockstep") as process, host(process) as wire:
-            wire.until(b"ready\r\n")
-            wire.send(write_frame(1, "1000"))
-            wire.until(b"\x06")
-            found.append([read(wire, 2) for _ in range(10)])
-    assert found[0] == found[1]
-    assert found[0][-1] - found[0][-2] == pytest.approx(10.0, abs=0.1)
-
-
 def test_modbus_and_the_line_at_once(tmp_path: Path) -> None:
     options = ("--tcp", "0", "--modbus", "0", "--unit", "17")
     with running(tmp_path, PACKER, *options) as process, host(process) as wire:
@@ -136,21 +120,6 @@ def test_modbus_and_the_line_at_once(tmp_path: Path) -> None:
         assert read(wire, 10) == 2.0
 
 
-def test_in_lock_step_a_write_has_had_its_effect_when_the_next_read_is_answered(tmp_path: Path) -> None:
-    echo = "Loop : Wait = 1000 : End Loop\nEvent COMMS1 : COMMS(2) = COMMS(1) : End Event\n"
-    options = ("--tcp", "0", "--modbus", "0", "--clock", "lockstep")
-    with running(tmp_path, echo, *options) as process:
-        line_with(process, "listening on ")
-        port = int(line_with(process, "listening on ").split()[0].rpartition(":")[2])
-        old = []
-        with ModbusTcpClient("127.0.0.1", port=port, timeout=MAX_SECONDS) as client:
-            for high in range(300):
-                client.write_registers(2, [0, high])
-                if client.read_holding_registers(4, count=2).registers != [0, high]:
-                    old.append(high)
-    assert old == []
-
-
 def test_output_of_a_program_that_no_host_reads_holds_up_no_one(tmp_path: Path) -> None:
     chatter = 'Loop\n  COMMS(3) = COMMS(3) + 1\n  Print "{}"\n  Wait = 1\nEnd Loop'.format("x" * 99)
     options = ("--tcp", "0", "--tcp", "0", "--factor", "100")
@@ -159,15 +128,6 @@ def test_output_of_a_program_that_no_host_reads_holds_up_no_one(tmp_path: Path) 
         wire.until(b"P>")
         wire.send(b"Print 1 + 1\r")
         assert wire.until(b"P>") == b"2\r\nP>"
-
-
-def test_a_controller_without_a_program(capsys: pytest.CaptureFixture[str]) -> None:
-    command = [sys.executable, "-m", "motionlang", "serve", "--lang", "mint", "--tcp", "0"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process, host(process) as wire:
-        wire.until(b"P>")
-        wire.send(b"RUN\r")
-        assert wire.until(b"P>") == b"Error: there is no program to run\r\nP>"
-        process.kill()
 
 
 def test_the_log_shows_frames_and_lines(tmp_path: Path) -> None:
@@ -184,21 +144,3 @@ def test_the_log_shows_frames_and_lines(tmp_path: Path) -> None:
     assert "1 > \\x06" in lines
     assert "1 < Print 7" in lines
     assert "1 > 7" in lines
-
-
-def test_a_program_with_errors_is_reported(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    program = tmp_path / "wrong.mnt"
-    program.write_text("SPED(0) = 1\n")
-    assert main(["serve", str(program), "--tcp", "0"]) == 1
-    assert "did you mean SPEED?" in capsys.readouterr().err
-
-
-def test_a_modbus_port_that_is_taken(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    program = tmp_path / "packer.mnt"
-    program.write_text(PACKER)
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        port = taken.getsockname()[1]
-        assert main(["serve", str(program), "--tcp", "0", "--modbus", str(port)]) == 1
-    out, err = capsys.readouterr()
-    assert out == ""
-    assert f"cannot listen on 127.0.0.1:{port}: address already in use" in err

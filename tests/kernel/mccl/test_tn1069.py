@@ -42,20 +42,6 @@ def test_the_comparison_table(shape: str) -> None:
     assert move["distance"] == 40000
 
 
-def test_the_peak_of_the_parabolic_move_is_lowered() -> None:
-    report: Any = run(SCRIPTS / "tn1069.mcl", dialect="mccl").report
-    assert report["moves"][3]["peak_speed"] == pytest.approx(38729.833462074, rel=1e-12)
-
-
-def test_one_line_with_settling() -> None:
-    report: Any = run(SCRIPTS / "scurve.mcl", dialect="mccl").report
-    (move,) = report["moves"]
-    assert report["output"] == ["01 40000"]
-    # Start, move, 0.1 s of settling, and the command that reports.
-    assert report["time"] == pytest.approx(4e-5 + 1.3 / 0.9 + 0.1 + 2e-5 - 1e-5, abs=2e-5)
-    assert phase(move, "accel") == pytest.approx((4000 / 9, 80000 / 9), rel=1e-12)
-
-
 def test_unequal_rates_keep_their_own_end() -> None:
     report: Any = run(SCRIPTS / "unequal.mcl", dialect="mccl").report
     for move, factor in zip(report["moves"], (1.0, pi / 2, 1 / 0.75, 2.0), strict=True):

@@ -18,7 +18,7 @@ from ruckig import InputParameter, Result, Ruckig, RuckigError, Trajectory
 
 from motionlang.kernel.planners import plan, plan_stop, plan_velocity
 from motionlang.kernel.planners.lookahead import PathPace, plan_course
-from tests.kernel.planners.many import drawn
+from tests.kernel.planners.states import drawn
 from tests.kernel.planners.times import Law, ends_together, law, lead, move_times, ramp, reverses, rounding
 
 # The shapes, each with the name and the ramp of the planner.

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from math import cos, e, sin
-
 import pytest
 
-from motionlang.kernel.servo.discrete import exponential
 from motionlang.kernel.tracks.history import MotorFigures, MoveFigures
 from tests.kernel.servo.test_trace_figures import of_errors, trace
 
@@ -44,16 +41,3 @@ def test_a_short_move_has_the_sample_before_it_and_has_settled(begin: float, pea
     move = MoveFigures(begin, begin + 0.00005, begin + 0.0001)
     move.take(0.0, of_errors(1.0, 5.0, 2.0), 0.5)
     assert (move.peak_error, move.peak_output, move.rms_torque, move.settle_time) == (peak, 0.0, 0.0, 0.0)
-
-
-def test_the_matrix_exponential() -> None:
-    """Of a diagonal its exponentials, of a rotation its cosine and sine."""
-    assert exponential([[1.0, 0.0], [0.0, -2.0]]) == [
-        [pytest.approx(e), 0.0],
-        [0.0, pytest.approx(e**-2)],
-    ]
-    rotation = exponential([[0.0, -3.0], [3.0, 0.0]])
-    assert rotation[0] == pytest.approx([cos(3.0), -sin(3.0)], rel=1e-13)
-    assert rotation[1] == pytest.approx([sin(3.0), cos(3.0)], rel=1e-13)
-    assert exponential([[0.0, 0.0], [0.0, 0.0]]) == [[1.0, 0.0], [0.0, 1.0]]
-    assert exponential([[0.0, 7.0], [0.0, 0.0]])[0] == pytest.approx([1.0, 7.0])

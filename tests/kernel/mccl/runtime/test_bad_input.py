@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import random
-
 import pytest
 
 from motionlang.kernel import Keyword
@@ -115,31 +113,6 @@ def test_every_documented_code_has_a_case() -> None:
     assert set(MEANINGS) == cases | {0, 3, -7}
 
 
-def test_a_megabyte_in_a_line() -> None:
-    console, port = board()
-    sent = b"1TP," * 250_000
-    for k in range(0, len(sent), 4096):
-        piece = sent[k : k + 4096]
-        assert port.feed(piece) == len(piece)
-    assert ask(console, port, b"\r") == b"?4\n>"
-    assert ask(console, port, b"1TP\r") == b"01 0\n>"
-
-
-def test_binary_garbage() -> None:
-    """Each of its lines is answered, and the port works normally afterwards."""
-    rubbish = random.Random(7)
-    console, port = board()
-    for _ in range(300):
-        line = bytes(
-            rubbish.choice(b"\x80\xff\x00\x07'\"%;#@,.-+eE129AMRTPZ") for _ in range(rubbish.randrange(1, 60))
-        )
-        answer = ask(console, port, line + b"\r")
-        assert answer.endswith(b"\n>") or not answer
-    port.feed(b"\x1b")
-    port.take()
-    assert ask(console, port, b"\r1TP\r").endswith(b"01 0\n>")
-
-
 def test_half_a_line_waits_for_its_other_half() -> None:
     console, port = board()
     assert ask(console, port, b"AL1,T") == b""
@@ -167,12 +140,6 @@ def test_a_macro_that_jumps_to_itself_is_ended_by_escape() -> None:
     assert port.busy
     assert ask(console, port, b"\x1b") == b"?-7\n>"
     assert int(ask(console, port, b"TR0\r").split(b"\n")[0]) > 100
-
-
-def test_two_macros_that_call_each_other(mccl: Runner) -> None:
-    result = mccl("MD1,AA1,MC2\nMD2,AA1,MC1\nMC1\nTR0")
-    assert result.output == ["?-1", "100"]
-    assert result.diagnostics[0].code == "recursion"
 
 
 def test_rp_inside_rp(mccl: Runner) -> None:
