@@ -325,25 +325,6 @@ def test_a_broken_message_gets_one_answer(body: str, code: int | None, text: str
     assert asyncio.run(whole()) == ([] if code is None else [answer])
 
 
-@pytest.mark.parametrize("method", ["textDocument/hover", "shutdown", "no/such"])
-def test_a_request_before_and_after_the_session(method: str) -> None:
-    """A malformed one gets the same answer."""
-
-    async def whole() -> list[Any]:
-        wire = Wire()
-        wire.request(1, method, None if method == "shutdown" else {})
-        wire.request("first", "initialize", INITIALIZE)
-        wire.request("last", "shutdown", None)
-        wire.request(2, method, None if method == "shutdown" else {})
-        wire.request(3, "initialize", INITIALIZE)
-        wire.notify("textDocument/didOpen", {})
-        await wire.settled()
-        return [wire.answers()[number][0]["error"] for number in (1, 2, 3)]
-
-    down = {"code": -32600, "message": "the server is shut down"}
-    assert asyncio.run(whole()) == [{"code": -32002, "message": "the server is not initialized"}, down, down]
-
-
 def test_the_report_of_an_invalid_machine_file_marks_the_first_line(tmp_path: Path) -> None:
     (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravvel = 1\n")
     (found,) = ask("  x = 1\nPrint x\n", uri=(tmp_path / "a.mnt").as_uri())

@@ -36,17 +36,6 @@ def test_a_speed_does_not_wake_an_axis_that_is_stopping() -> None:
     assert until(c, 9.0).position(0) == pytest.approx(10.0)
 
 
-@pytest.mark.parametrize("shape", ["trapezoid", "scurve"])
-def test_a_limit_acts_on_a_jog_at_once_and_lets_it_go_when_it_is_lifted(shape: str) -> None:
-    c = machine(shape=shape, accel_jerk=1e4, decel_jerk=1e4)
-    c.jog(0, 10.0)
-    until(c, 1.0).configure(0, "max_speed", 4.0)
-    assert until(c, 2.0).velocity(0) == 4.0
-    c.configure(0, "max_speed", float("inf"))
-    assert until(c, 3.0).velocity(0) == 10.0
-    assert len(c.log.moves) == 1
-
-
 @pytest.mark.parametrize(("percent", "ramp"), [(0.5, 0.03), (1.0, 0.04)])
 @pytest.mark.parametrize("axes", [(0,), (0, 1)])
 def test_a_percentage_of_a_ramp_is_one_of_the_speed_that_a_move_has(

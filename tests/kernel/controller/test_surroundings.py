@@ -25,28 +25,6 @@ def changes(c: Controller) -> list[tuple[float, int, float]]:
     return [(round(time, 9), channel, value) for time, channel, value in c.log.inputs]
 
 
-def test_inputs_by_time() -> None:
-    c = machine(input=[{"channel": 3, "at": 1.5}, {"channel": 4, "at": 2.0, "for": 0.25, "value": 1}])
-    c.clock.advance(10.0)
-    assert changes(c) == [(1.5, 3, 1), (2.0, 4, 1), (2.25, 4, 0)]
-
-
-def test_an_input_by_position_follows_the_axis_in_both_directions() -> None:
-    c = machine(input=[{"channel": 3, "axis": 0, "above": 6.0}])
-    c.move_to(0, 12.0)
-    c.clock.advance(5.0)
-    c.move_to(0, 0.0)
-    c.clock.advance(20.0)
-    assert changes(c) == [(1.0, 3, 1), (6.0, 3, 0)]
-
-
-def test_an_input_between_two_positions() -> None:
-    c = machine(input=[{"channel": 3, "axis": 0, "between": [2.0, 10.0]}])
-    c.move_to(0, 12.0)
-    c.clock.advance(5.0)
-    assert changes(c) == [(0.5, 3, 1), (1.5, 3, 0)]
-
-
 def test_positions_of_the_world_are_user_units_whatever_the_scale() -> None:
     c = machine(input=[{"channel": 3, "axis": 0, "above": 6.0}])
     c.set_scale(0, 1000.0)
@@ -55,15 +33,6 @@ def test_positions_of_the_world_are_user_units_whatever_the_scale() -> None:
     c.move_to(0, 12_000.0)
     c.clock.advance(5.0)
     assert changes(c) == [(1.0, 3, 1)]
-
-
-def test_travel_limits_stop_the_axis_and_show_on_their_inputs() -> None:
-    c = machine(axis__0__travel=[-5.0, 6.0], axis__0__forward_input=7)
-    c.move_to(0, 12.0)
-    c.clock.advance(5.0)
-    assert c.position(0) == pytest.approx(6.0)
-    assert faults(c) == "forward limit"
-    assert changes(c) == [(1.0, 7, 1)]
 
 
 def test_the_home_switch() -> None:
@@ -95,14 +64,6 @@ def test_a_drive_is_off_while_its_enable_input_is_off_and_asks_no_other(value: i
     assert c.is_enabled(0) is enabled
 
 
-def test_a_fault_at_a_time_switches_the_axis_off() -> None:
-    c = machine(fault=[{"axis": 0, "kind": "following-error", "at": 1.0}])
-    c.move_to(0, 12.0)
-    c.clock.advance(5.0)
-    assert (c.position(0), faults(c), c.is_enabled(0)) == (6.0, "following error", False)
-    assert c.log.moves[0].ended == "fault"
-
-
 def test_an_input_follows_the_level_of_an_output_after_a_delay() -> None:
     c = machine(input=[{"channel": 5, "output": 1, "delay": 0.25}, {"channel": 6, "output": 1, "value": 0}])
     assert changes(c) == [(0.0, 6, 1)]
@@ -121,20 +82,6 @@ def test_a_fault_beyond_a_position_happens_where_the_axis_comes_there() -> None:
     c.clock.advance(5.0)
     assert c.position(0) == pytest.approx(6.0)
     assert faults(c) == "following error"
-
-
-def test_pulses_of_an_input_repeat_until_the_end_or_so_many_times() -> None:
-    every = {"channel": 3, "at": 1.0, "every": 2.0, "for": 0.5}
-    expected = [(1.0, 3, 1), (1.5, 3, 0), (3.0, 3, 1), (3.5, 3, 0), (5.0, 3, 1), (5.5, 3, 0)]
-    c = machine(input=[every])
-    c.clock.advance(6.0)
-    assert changes(c) == expected
-    c = machine(input=[every | {"times": 2}])
-    c.clock.advance(9.0)
-    assert changes(c) == expected[:4]
-    c = machine(input=[{"channel": 3, "every": 2.0, "for": 0.5, "value": 7}])
-    c.clock.advance(2.25)
-    assert changes(c) == [(0.0, 3, 7), (0.5, 3, 0), (2.0, 3, 7)]
 
 
 def test_marks_along_the_travel() -> None:
@@ -247,13 +194,6 @@ def test_a_further_change_prolongs_the_pulse_of_an_input() -> None:
         c.outputs[1] = 0
     c.clock.advance(9.0)
     assert changes(c) == [(0.5, 3, 1), (2.0, 3, 0), (4.0, 3, 1), (5.0, 3, 0)]
-
-
-def test_below_a_position() -> None:
-    c = machine(input=[{"channel": 3, "axis": 0, "below": 6.0}, {"channel": 4, "axis": 1, "above": -1.0}])
-    c.move_to(0, 12.0)
-    c.clock.advance(5.0)
-    assert changes(c) == [(0.0, 3, 1), (0.0, 4, 1), (1.0, 3, 0)]
 
 
 def test_the_travel_is_counted_from_the_start() -> None:

@@ -120,28 +120,6 @@ def test_no_statement_begins_after_the_end_of_a_run(name: str, lines: int) -> No
     assert (result.status, len(result.output)) == ("until", lines)
 
 
-def test_wait_that_nothing_can_end_is_reported_at_once() -> None:
-    c = controller()
-
-    def program(t: float, h: float) -> Steps:
-        yield Wait(t, lambda: False, lambda: float("inf"), "for input 3")
-        return t
-
-    with pytest.raises(Stuck, match="for input 3"):
-        Scheduler(c, task(program)).run()
-
-
-def test_endless_wait_is_reported_in_a_bounded_run_too() -> None:
-    c = controller()
-
-    def program(t: float, h: float) -> Steps:
-        yield Wait(t, lambda: False, lambda: float("inf"), "for input 3")
-        return t
-
-    with pytest.raises(Stuck):
-        Scheduler(c, task(program)).run(until=10.0)
-
-
 def test_two_tasks_share_the_controllers_time() -> None:
     c = controller()
     done: list[str] = []
@@ -188,22 +166,6 @@ def test_a_task_that_waits_for_a_time_does_not_oversleep_while_another_computes(
     assert woken == [pytest.approx(moment, abs=1.1e-5) for moment in (0.00123, 0.0031, 0.0102)]
 
 
-def test_the_program_ends_with_its_parent() -> None:
-    c = controller()
-
-    def parent(t: float, h: float) -> Steps:
-        return t + 1e-5
-        yield t
-
-    def child(t: float, h: float) -> Steps:
-        while True:
-            t, h = yield t + 1e-3
-
-    scheduler = Scheduler(c, task(parent))
-    scheduler.start(task(child))
-    assert scheduler.run() == "ended"
-
-
 def test_a_wait_that_is_always_due_and_never_over_cannot_hold_time() -> None:
     c = controller()
 
@@ -248,14 +210,6 @@ def test_tasks_alternate_in_time_slices() -> None:
     """A slice takes 1 ms, or less if the task ends within it."""
     begun = slices({"parent": 9, "first": 6, "second": 3})
     assert begun == ["parent 0", "first 1", "second 2", "parent 2.75", "first 3.75", "parent 4.25"]
-
-
-def test_the_highest_priority_runs_first() -> None:
-    def prepare(scheduler: Scheduler) -> None:
-        scheduler.tasks[1].priority = scheduler.tasks[2].priority = 5
-
-    begun = slices({"parent": 9, "first": 6, "second": 3}, prepare)
-    assert begun == ["first 0", "second 1", "first 1.75", "parent 2.25"]
 
 
 def test_a_task_may_have_shorter_slices() -> None:

@@ -58,16 +58,6 @@ def test_two_thousand_points_by_pdo() -> None:
     assert drive.buffer.errors == 0
 
 
-def test_the_same_stream_is_the_same_run() -> None:
-    def run() -> tuple[object, ...]:
-        points, drive = winding(200), Drive()
-        with LockstepBus(drive) as bus:
-            done = BusMaster(bus).stream(points)
-            return done, bus.frames, drive.starts, [p.end for p in drive.profiles]
-
-    assert run() == run()
-
-
 @pytest.mark.parametrize("transfer", ["sdo", "-3"])
 def test_cubic_moves_by_sdo(transfer: str) -> None:
     points, drive = winding(300), Drive()

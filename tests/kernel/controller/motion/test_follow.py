@@ -168,25 +168,6 @@ def test_a_shear_that_is_over_at_speed_brakes() -> None:
 # ---------------------------------------------------------------------------------------------------- cams
 
 
-def test_a_linear_cam_repeats_and_advances() -> None:
-    c = machine()
-    cam(c, 1, 0, [0.0, 10.0, 20.0, 40.0], [0.0, 5.0, 5.0, 2.0], cyclic=True)
-    c.jog(0, 10.0)
-    until(c, 0.55)  # the master is at 5
-    assert c.position(1) == pytest.approx(2.5)
-    assert c.cam_index(1) == 0
-    assert until(c, 1.55).position(1) == pytest.approx(5.0)
-    assert c.cam_index(1) == 1
-    assert until(c, 4.55).position(1) == pytest.approx(2.0 + 2.5)
-    c.jog(0, -10.0)
-    reversal = c.clock.now
-    until(c, reversal + 0.2 + 4.5)  # back to where it was, and 45 further back: at 0 of the first cycle
-    assert c.position(0) == pytest.approx(0.0, abs=1e-9)
-    assert c.position(1) == pytest.approx(0.0, abs=1e-9)
-    assert until(c, c.clock.now + 1.0).position(1) == pytest.approx(-2.0 + 2.0 + 1.5)
-    assert len([move for move in c.log.moves if move.axis == 1]) == 1
-
-
 @pytest.mark.parametrize("rise", [2.0, 0.5])
 def test_a_slave_that_leaves_its_cam_in_motion_brakes_beyond_it(rise: float) -> None:
     """At the cam's end the slave has `rise` counts/s: the table takes one second.

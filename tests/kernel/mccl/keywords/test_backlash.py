@@ -14,16 +14,6 @@ from tests.mccl_runs import Runner
 MOTOR = {"axis.1.plant.amplifier": "current"}
 
 
-@pytest.mark.parametrize("machine", [{}, MOTOR], ids=["demand", "motor"])
-def test_the_motor_is_ahead_of_the_load_in_either_direction(machine: dict[str, object], mccl: Runner) -> None:
-    text = "1SG0.02,1SD0.5,1MN,1BD10,1BN,1TP\n1MA500,1WS0.3,1TP,1TT\n1MA0,1WS0.3,1TP,1TT\n1VM,1DI0,1GO,WA0.1,1ST,1WS0.3"
-    result = mccl(f"{text},1TP,1BF,1TP", machine=machine)
-    *moves, before, after = (int(line.split()[1]) for line in result.output)
-    assert moves == [pytest.approx(each, abs=1 if machine else 0) for each in (0, 510, 500, -10, 0)]
-    assert before == after  # the motor stays where it is, which is the axis's position again
-    assert result.controller.position(1) == pytest.approx(before, abs=1)
-
-
 @pytest.mark.parametrize("motor", [False, True])
 def test_mint_has_the_same_with_the_play_on_one_side(motor: bool) -> None:
     machine = {"axis.0.plant.amplifier": "current"} if motor else {}

@@ -16,7 +16,7 @@ LOOPS = [(1, 5, UP), (5, 1, DOWN), (4, 4, SAME)]
 
 
 @pytest.mark.parametrize("counter", ["Integer", "Float"])
-@pytest.mark.parametrize(("least", "most"), [(-3, 3), (-3, -1), (-3, 0), (0, 3), (1, 3), (-1, 1)])
+@pytest.mark.parametrize(("least", "most"), [(-3, 3), (-3, -1), (1, 3)])
 @pytest.mark.parametrize(("start", "stop", "iterations"), LOOPS)
 @pytest.mark.parametrize("step", ["s", "s * one"])
 def test_a_step_of_either_sign(
