@@ -107,37 +107,6 @@ def heavy(module: str) -> frozenset[str]:
     return frozenset({name.partition(".")[0] for name in loaded_with(module)} & HEAVY)
 
 
-def for_types(path: Path) -> list[ast.stmt]:
-    """Return the statements of a file that are executed for types alone."""
-    return [node for each in tree_of(path).body if is_for_types(each) for node in each.body]  # type: ignore[attr-defined]
-
-
-@cache
-def named_for_types(module: str) -> frozenset[str]:
-    """Return the names that a module defines for types alone."""
-    path = path_of(module)
-    nodes = [] if path is None else for_types(path)
-    assigned = [node for node in nodes if isinstance(node, ast.Assign | ast.AnnAssign)]
-    names = {each.id for node in assigned for each in ast.walk(node) if isinstance(each, ast.Name)}
-    return frozenset(names | {node.name for node in nodes if isinstance(node, ast.ClassDef)})
-
-
-def needs_no_block(path: Path) -> bool:
-    """True if a file imports for types alone what it could import at no cost."""
-    nodes, own = for_types(path), ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts)
-    imports = [
-        (node, alias.name) for node in nodes if isinstance(node, ast.ImportFrom) for alias in node.names
-    ]
-    modules = {module_of(*each) for each in imports} - {"collections.abc"}
-    return (
-        bool(nodes)
-        and not any(isinstance(node, ast.ClassDef) for node in nodes)
-        and modules <= loaded_with(own.removesuffix(".__init__"))
-        and not any(own in loaded_with(module) for module in modules)
-        and not any(name in named_for_types(module_of(node, name)) for node, name in imports)
-    )
-
-
 def brought_in(path: Path) -> set[str]:
     """Return the modules of its own package that a file imports lazily.
 
@@ -165,9 +134,3 @@ def test_imports_inside_functions_cross_packages_load_what_is_heavy_or_are_liste
     assert {name: modules for name, modules in found.items() if modules} == {
         name: set(modules.split()) for name, modules in LAZY.items()
     }
-
-
-def test_what_is_loaded_anyway_is_not_imported_for_types_alone() -> None:
-    """A block of imports for types spares a run some modules, or points up."""
-    files = sorted(PACKAGE.rglob("*.py"))
-    assert [each.relative_to(PACKAGE).as_posix() for each in files if needs_no_block(each)] == []

@@ -12,7 +12,7 @@ from tests.generated.motion import generate
 from tests.generated.words import NEVER, examples, simulated, words
 
 # Seeds of the sample in CI, and of a long run in batches.
-FIRST, SLICE, BATCHES, BATCH = 1, 60, 20, 500
+FIRST, SLICE, BATCHES, BATCH = 1, 40, 20, 500
 
 
 def test_programs_of_a_slice_of_seeds_have_no_finding() -> None:

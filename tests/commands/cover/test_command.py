@@ -358,6 +358,7 @@ def test_suggestions_reach_nine_tenths_of_an_old_program(name: str, cell: Cell) 
     assert cell("cover", name, "--quiet", "--fail-under", "90").status == 0
 
 
+@pytest.mark.slow
 @cases("seed", [3, 7, 16, 24])
 def test_skipped_iterations_of_several_tasks_count_like_carried_out_ones(seed: int) -> None:
     """In program 16 a task waits a millisecond at a time, and is skipped again and again between timer events."""
