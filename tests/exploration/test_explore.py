@@ -17,23 +17,33 @@ from tests.cli.programs import Cell
 
 MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_of(path.name) is not None)
 
-# Machines whose exploration takes a second or more.
+# Machines whose exploration takes a second or more, in so many tests.
+PARTS = 4
 SLOW = (
-    "bank", "crank", "feeder_marks", "handover", "hands", "helper", "labeller", "mark", "mask", "press", "ready",
-    "robot", "selector", "spin", "stages", "table", "teeth", "weigher", "winder",
+    "bank", "crank", "feeder_marks", "handover", "hands", "helper", "host", "jog", "labeller", "mark", "mask",
+    "press", "ready", "robot", "selector", "spin", "stages", "table", "teeth", "turntable", "weigher", "winder",
 )  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "path",
-    [pytest.param(each, marks=pytest.mark.slow) if each.stem in SLOW else each for each in MACHINES],
-    ids=lambda path: path.name,
-)
-def test_the_states_of_a_machine(path: Path, golden: Callable[[Path, str], None]) -> None:
+def compare(path: Path, golden: Callable[[Path, str], None]) -> None:
     language = dialect_of(path.name)
     assert language is not None
     program = language.program(Source.read(path), is_debug=True)
     golden(path.with_suffix(".txt"), str(explore(program)))
+
+
+@pytest.mark.parametrize(
+    "path", [each for each in MACHINES if each.stem not in SLOW], ids=lambda path: path.name
+)
+def test_the_states_of_a_machine(path: Path, golden: Callable[[Path, str], None]) -> None:
+    compare(path, golden)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("part", range(PARTS))
+def test_the_states_of_slow_machines(part: int, golden: Callable[[Path, str], None]) -> None:
+    for path in [each for each in MACHINES if each.stem in SLOW][part::PARTS]:
+        compare(path, golden)
 
 
 def test_the_command_prints_the_text_of_the_exploration(cell: Cell) -> None:

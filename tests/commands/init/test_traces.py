@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from motionlang.commands.init import draft
 from motionlang.exploration import explore
 from motionlang.kernel import Run, Source, dialect_of, read_machine
+from tests.cases import cases
 from tests.cli.programs import Cell
 from tests.commands.init.recordings import Logger, csv_of, machine_run
 
@@ -80,11 +81,12 @@ def is_same(mine: list[tuple[float, int]], right: list[tuple[float, int]]) -> bo
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("program", PROGRAMS)
+@cases("kind", KINDS)
 def test_no_rule_is_false_without_a_mark(cell: Cell, program: str, kind: str) -> None:
     run = played(program)
     path = cell.write(program, (OLD / program).read_text())
+    Path(path).with_suffix(".machine.toml").unlink(missing_ok=True)
     cell.write("rec.csv", csv_of(columns(run, kind)))
     ran = cell("init", program, "--recording", "rec.csv", "--format", "none")
     assert "is not one of" not in ran.err

@@ -240,6 +240,7 @@ def test_a_program_with_errors_has_no_map(program: Cell) -> None:
     assert "error[syntax]" in ran.err
 
 
+@pytest.mark.slow
 def test_a_line_with_the_states_and_ways_in_which_it_runs(program: Cell) -> None:
     assert program("map", "a.mnt", "--line", "20").out == LINE
     assert program("map", "a.mnt", "--line", "17").out == "line 17: OUTX(3) = 0\n  never ran: sub Spare\n"

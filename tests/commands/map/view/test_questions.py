@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.cases import cases
 from tests.cli.programs import Cell
 
 OLD = Path(__file__).parents[4] / "examples" / "old"
@@ -166,7 +167,7 @@ QUESTIONS = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("program", QUESTIONS)
+@cases("program", QUESTIONS)
 def test_the_map_answers(program: str, cell: Cell) -> None:
     shown = " ".join(cell("map", str(OLD / program)).out.split())
     asked = QUESTIONS[program]
