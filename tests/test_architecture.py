@@ -13,7 +13,7 @@ import pytest
 from tests.cases import cases
 from tests.trees import nodes_of, tree_of
 
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.usefixtures("package_trees")
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"

@@ -17,8 +17,6 @@ import pytest
 from motionlang import __version__
 from motionlang._wheel import without_links
 
-pytestmark = pytest.mark.slow
-
 ROOT = Path(__file__).parent.parent
 
 
@@ -31,6 +29,7 @@ def run(command: list[str], folder: Path, **environment: str) -> str:
     return ran.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [0, 1], ids=["sdist", "wheel"])
 def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_path: Path) -> None:
     """Only the wheel is installed: a run needs no library except for terminal output."""
@@ -45,6 +44,7 @@ def test_it_can_be_installed_and_run(number: int, built: tuple[Path, Path], tmp_
     assert run(where, tmp_path, PYTHONPATH=site).startswith(site)
 
 
+@pytest.mark.slow
 def test_it_runs_from_a_zip_file(built: tuple[Path, Path], tmp_path: Path) -> None:
     shutil.copy(ROOT / "scripts" / "mint" / "ballscrew.mnt", tmp_path)
     command = [sys.executable, "-m", "motionlang"]
@@ -53,16 +53,19 @@ def test_it_runs_from_a_zip_file(built: tuple[Path, Path], tmp_path: Path) -> No
     assert "200.0000 mm" in run([*command, "run", "ballscrew.mnt"], tmp_path, **zipped)
 
 
+@pytest.mark.slow
 def test_an_index_would_take_it(built: tuple[Path, Path], tmp_path: Path) -> None:
     pytest.importorskip("twine")
     run([sys.executable, "-m", "twine", "check", "--strict", *map(str, built)], tmp_path)
 
 
+@pytest.mark.slow
 def test_the_wheel_has_what_belongs_there(built: tuple[Path, Path], tmp_path: Path) -> None:
     pytest.importorskip("check_wheel_contents")
     run([sys.executable, "-m", "check_wheel_contents", str(built[1])], tmp_path)
 
 
+@pytest.mark.slow
 def test_the_licence_is_in_both(built: tuple[Path, Path]) -> None:
     text = (ROOT / "LICENSE").read_bytes()
     assert text.startswith(b"MIT License")
@@ -76,6 +79,7 @@ def test_the_licence_is_in_both(built: tuple[Path, Path]) -> None:
         assert found.read() == text
 
 
+@pytest.mark.slow
 def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
     """It has everything that README mentions: the gallery, the pages and the tests."""
     with tarfile.open(built[0]) as sdist:

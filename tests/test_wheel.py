@@ -30,13 +30,12 @@ from tests.installed import (
 )
 from tests.lowest import SUPPORTED, lowest
 
-pytestmark = pytest.mark.slow
-
 # Extras that the package itself does not import: for developers, and Dask, whose executor users pass in.
 UNUSED = {"dev", "dask", "release", "site"}
 links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Windows")
 
 
+@pytest.mark.slow
 @links
 def test_every_command_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
@@ -46,6 +45,7 @@ def test_every_command_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     check_uses(ran, uses, set(USED))
 
 
+@pytest.mark.slow
 @links
 @pytest.mark.parametrize("absent", sorted({*needed().values()} - {""}))
 def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Path) -> None:
@@ -72,6 +72,7 @@ WITHOUT_NUMPY = {
 }
 
 
+@pytest.mark.slow
 @links
 def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
     """A Python in a browser has no numpy: each help is shown, and messages name numpy."""
@@ -97,6 +98,7 @@ def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
     assert result.stdout.endswith("5.0000\n")
 
 
+@pytest.mark.slow
 @links
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGTERM to send")
 def test_a_board_is_served_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
@@ -115,6 +117,7 @@ def test_a_board_is_served_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> N
     assert out.startswith("served 1 host")
 
 
+@pytest.mark.slow
 @links
 def test_a_serial_line_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
@@ -172,6 +175,7 @@ def test_the_extras_are_those_of_the_project() -> None:
     assert named == declared
 
 
+@pytest.mark.slow
 def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> None:
     """Each such module calls `need` first, or is called only by modules that do.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from motionlang import run
 from motionlang.kernel import Keyword, Run, Source
 from motionlang.kernel.mint import table
-from tests.cases import cases
+from tests.cases import cases, draws_one_in
 
 OTHERS = [row for row in table() if not row.simulated]
 MOTION = [row for row in OTHERS if row.function == "unsimulated.motion"]
@@ -25,7 +25,7 @@ def word(row: Keyword) -> str:
     return row.name if row.index == "none" else f"{row.name}({', '.join('0' for _ in row.index.split(', '))})"
 
 
-@cases("row", [row for row in OTHERS if "W" in row.access and row not in MOTION], ids=str)
+@cases("row", [row for row in OTHERS if "W" in row.access and row not in MOTION][::draws_one_in], ids=str)
 def test_what_is_written_is_read_back_and_named(row: Keyword) -> None:
     read = f"PRINT {word(row)}" if "R" in row.access else ""
     value, shown = ("0", "0") if row.high == 0 else (VALUES.get(row.unit, "1"), SHOWN.get(row.unit, "1"))

@@ -64,7 +64,7 @@ HOSTILE = {
     "a long sum": "x = 1" + "+1" * 10_000,
     "signs": "x = " + "-" * 10_000 + "1",
     "members": "x = a" + ".a" * 10_000,
-    "blocks": "If a Then\n" * 10_000,
+    "blocks": "If a Then\n" * 5_000,
     "closed blocks": "If a Then\n" * 10_000 + "End If\n" * 10_000,
     "Ifs of one line": "If a Then " * 10_000 + "x = 1",
     "ElseIfs": "If a Then\n" + "ElseIf b Then\n" * 3_000 + "End If",
