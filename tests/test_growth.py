@@ -162,9 +162,16 @@ def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
     assert _is_linear(calls), (command, calls)
 
 
-@pytest.mark.slow
+@pytest.mark.parametrize(
+    "sizes",
+    [
+        pytest.param((150, 300, 600), marks=pytest.mark.slow),
+        pytest.param((500, 1000, 2000), marks=pytest.mark.long),
+    ],
+    ids=str,
+)
 @pytest.mark.parametrize("command", COMMANDS)
-def test_all_shapes_of_long_programs_are_twice_the_work(command: str) -> None:
+def test_all_shapes_of_long_programs_are_twice_the_work(command: str, sizes: tuple[int, ...]) -> None:
     shapes = [each for each in SHAPES if command != "explore" or each not in MANY_TASKS]
-    calls = {shape: _measure(command, shape, (500, 1000, 2000)) for shape in shapes}
+    calls = {shape: _measure(command, shape, sizes) for shape in shapes}
     assert [f"{shape}: {each}" for shape, each in calls.items() if not _is_linear(each)] == []
