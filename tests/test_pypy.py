@@ -35,11 +35,3 @@ def test_what_is_left_when_a_command_ends_is_not_collected(
         assert (gc.get_threshold() != thresholds) == has_settings
         assert (gc.get_freeze_count() > before) == has_settings
     gc.set_threshold(*thresholds)
-
-
-def test_nothing_uses_what_only_cpython_has() -> None:
-    """Only CPython has reference counts and object sizes."""
-    for path in (ROOT / "motionlang").rglob("*.py"):
-        program = path.read_text(encoding="utf-8")
-        for word in ("getrefcount", "getsizeof", "get_referrers", "_PyObject", "ctypes"):
-            assert word not in program, f"{path.name}: {word}"

@@ -13,7 +13,6 @@ from motionlang.kernel.controller import feedback
 from motionlang.kernel.controller.feedback import Feedback
 from motionlang.kernel.servo import simulate
 from motionlang.kernel.tracks import servo_trace
-from motionlang.kernel.tracks.history import figures
 from tests.cases import examples
 from tests.kernel.servo.test_live import GAINS, MOTOR, MOVE, RATE, ROUGH, printed, run
 
@@ -65,49 +64,6 @@ def test_what_is_read_live_is_what_a_later_simulation_gives(
         k = int(time * RATE + 1e-6)
         there = [float(column[k]) for column in (later.measured, later.velocity, later.output)]
         assert readings == pytest.approx(there, rel=1e-9, abs=1e-6)
-
-
-def test_the_figures_of_moves_by_blocks_are_those_of_the_whole_run() -> None:
-    """A block has 8192 samples, 8.192 s, so that some of the moves lie in two.
-
-    The fifth move does not settle, because the next follows after 2 ms.
-    """
-    text = """
-Dim i As Integer
-SPEED(0) = 20000 : ACCEL(0) = 400000 : DECEL(0) = 400000
-For i = 1 To 16
-  MOVER(0) = i * 200 : GO(0) : PAUSE IDLE(0) : WAIT 1000 * (i <> 5) + 2
-Next
-"""
-    controller = run(text, MOTOR, servo=GAINS).controller
-    found, trace = figures(controller), servo_trace(controller.axes[0], controller.clock.now)
-    assert trace is not None
-    assert len(trace) > 16_384
-    error, moves = np.abs(trace.error), controller.log.moves
-    unsettled = []
-    for number, move in enumerate(moves):
-        assert move.profile is not None
-        end = move.start_time + move.profile.duration
-        until = moves[number + 1].start_time if number + 1 < len(moves) else controller.clock.now
-        first, last, following = (int(time * RATE + 1e-6) for time in (move.start_time, end, until))
-        figures_of_move = found.get(number)
-        assert figures_of_move is not None
-        in_motion = slice(first, last + 1)
-        assert figures_of_move[:3] == pytest.approx(
-            (
-                error[in_motion].max(),
-                np.abs(trace.output[in_motion]).max(),
-                np.sqrt(np.mean(trace.torque[in_motion] ** 2)),
-            )
-        )
-        outside = np.flatnonzero(error[last + 1 : following] > 1.0) + last + 1
-        if len(outside) and outside[-1] == following - 1:
-            assert figures_of_move.settle_time is None
-            unsettled.append(number)
-        else:
-            settled = (outside[-1] + 1) / RATE if len(outside) else end
-            assert figures_of_move.settle_time == pytest.approx(settled - end)
-    assert {0, 4} & {*unsettled} == {4}
 
 
 def test_everything_done_to_a_loop_is_in_its_history() -> None:
