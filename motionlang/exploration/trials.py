@@ -125,7 +125,7 @@ class Trial(NamedTuple):
     @property
     def begun(self) -> int:
         """The number of different statements that have begun."""
-        return sum(isinstance(each, int) for each in self.seen)
+        return len([each for each in self.seen if isinstance(each, int)])
 
     @property
     def motions(self) -> list[TrialMotion]:

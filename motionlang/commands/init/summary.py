@@ -41,6 +41,9 @@ def fault(structure: Structure, draft: Draft) -> str:
     A cycle that only jogs is no piece if the program has moves that the exploration has not reached.
     """
     cycle = draft.world.cycle
+    played = draft.run.cycle
+    if cycle.work and played is not None and played.period < SHORTEST_MOVE:
+        return cycle.fault or "cuts off its moves at once"
     only_jogs = bool(cycle.work) and not cycle.done and not cycle.said
     if only_jogs and _move_lines(structure) & set(draft.exploration.missed):
         return cycle.fault or "only jogs"
