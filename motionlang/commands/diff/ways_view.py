@@ -15,9 +15,9 @@ from motionlang.commands.diff.ways import (
     Way,
     WaysCompared,
 )
+from motionlang.commands.map.program_map import channels_of
 from motionlang.exploration import Change, Exploration, Timeline
 from motionlang.kernel import dialect
-from motionlang.kernel.lang import names_in_comments
 from motionlang.kernel.tools import count_of, ranges
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable
@@ -25,18 +25,14 @@ from motionlang.views.terminal import printable
 # So many steps of a way, acts of a difference, and rows of what may only be a consequence are shown.
 MAX_STEPS, MAX_ACTS, MAX_ROWS = 8, 3, 10
 
-# The names of inputs in the comments of a program, by number.
+# The names of the inputs of a program, by number.
 Names = Mapping[int, str]
 
 
 def input_names(one: Exploration) -> dict[int, str]:
-    """Return the names of the inputs in the comments of a program."""
-    language = dialect(one.program.language)
-    return {
-        each.number: each.name
-        for each in names_in_comments(one.program.source, language)
-        if each.kind == "input"
-    }
+    """Return the names of the inputs of a program."""
+    used = channels_of(one.program, dialect(one.program.language))
+    return {int(each.number): each.name for each in used if each.kind == "input" and each.number.isdecimal()}
 
 
 def ways_text(found: WaysCompared, names: Names, most: int = MAX_ROWS) -> str:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Named, Read, Structure
@@ -84,11 +85,11 @@ def channels(
     structure: Structure,
     settings: Mapping[str, object],
     names: Sequence[Named],
-    comments: Mapping[int, str],
+    remarks: Mapping[int, str],
 ) -> list[Channel]:
     """Return the channels of a program, in the order of `CHANNELS` and their numbers.
 
-    `names` are those of the comments that list channels, `comments` the comments at the end of lines with code.
+    `names` are those of the comments that list channels, `remarks` the names behind code, by line.
     """
     found: dict[tuple[str, str], Channel] = {}
     in_loops = polled(structure)
@@ -119,8 +120,7 @@ def channels(
         for trigger in unit.triggers:
             place = trigger.channel, trigger.number
             found.setdefault(place, Channel(*place)).starts.append(unit.title)
-    for channel in found.values():
-        _name(channel, settings, names, comments)
+    _name(found.values(), settings, names, remarks)
     return sorted(found.values(), key=order_of)
 
 
@@ -192,23 +192,38 @@ def _add(lines: list[int], line: int) -> None:
 
 
 def _name(
-    channel: Channel, settings: Mapping[str, object], names: Iterable[Named], comments: Mapping[int, str]
+    channels: Collection[Channel],
+    settings: Mapping[str, object],
+    names: Sequence[Named],
+    remarks: Mapping[int, str],
 ) -> None:
-    """Name a channel by the machine file, by a list in comments, or by the comment on its only line."""
-    if channel.name or not channel.number.isdecimal():
-        return
-    entries = settings.get(_TABLES.get(channel.kind, ""), [])
-    for entry in entries if isinstance(entries, list) else []:
-        if str(entry.get("channel")) == channel.number and entry.get("name"):
-            channel.name, channel.named_by = str(entry["name"]), "machine file"
-            return
-    for each in names:
-        if each.kind == channel.kind and str(each.number) == channel.number:
-            channel.name, channel.named_by = each.name, f"comment, line {each.line}"
-            return
-    lines = [line for line in channel.lines if line in comments]
-    if len(lines) == 1:
-        channel.name, channel.named_by = comments[lines[0]], f"comment, line {lines[0]}"
+    """Name channels by the machine file, by a list in comments, or by the remark on the only reading of one alone.
+
+    A number in a list of channels names the input, or the output if no input has it.
+    """
+    listed = {(each.kind, str(each.number)): each for each in reversed(names)}
+    inputs = {each.number for each in channels if each.kind == "input"}
+    users = Counter(line for each in channels for line in each.lines)
+    for channel in channels:
+        kind, number = channel.kind, channel.number
+        if channel.name or not number.isdecimal():
+            continue
+        entries = settings.get(_TABLES.get(kind, ""), [])
+        given = (
+            (each for each in entries if str(each.get("channel")) == number)
+            if isinstance(entries, list)
+            else ()
+        )
+        name = next((str(each["name"]) for each in given if each.get("name")), "")
+        is_either = kind == "input" or (kind == "output" and number not in inputs)
+        found = listed.get((kind, number)) or (listed.get(("channel", number)) if is_either else None)
+        line = channel.lines[0] if len(channel.names_at) == 1 and channel.lines else 0
+        if name:
+            channel.name, channel.named_by = name, "machine file"
+        elif found is not None:
+            channel.name, channel.named_by = found.name, f"comment, line {found.line}"
+        elif line in remarks and users[line] == 1 and line not in channel.writes:
+            channel.name, channel.named_by = remarks[line], f"comment, line {line}"
 
 
 def order_of(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:

@@ -12,10 +12,7 @@ from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import MapVariable, UnitMap, units, variables
 from motionlang.exploration import Exploration, explore, without_world
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
-from motionlang.kernel.lang import Structure, comments_of, names_in_comments, without_marks
-
-# A comment at the end of a line is a name if it is no longer than this.
-MAX_COMMENT = 40
+from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
 
 
 @dataclass(eq=False, slots=True)
@@ -45,7 +42,7 @@ def program_map(program: Program, language: Dialect) -> ProgramMap:
     names = names_in_comments(source, language)
     heads = {line: without_marks(text) for line, text in comments_of(source, language)[0]}
     made, unreached = units(structure, heads)
-    used = channels(structure, program.settings, names, _at_ends(source, language))
+    used = channels(structure, program.settings, names, remarks(source, language))
     unused = {(each.kind, str(each.number)): each for each in only_named(names, used)}
     only = (Channel(*key, each.name, f"comment, line {each.line}") for key, each in unused.items())
     return ProgramMap(
@@ -105,10 +102,4 @@ def channels_of(program: Program, language: Dialect) -> list[Channel]:
     """Return only the channels of a program; ProgramError with all errors of the text."""
     source = program.source
     names = names_in_comments(source, language)
-    return channels(program.structure, program.settings, names, _at_ends(source, language))
-
-
-def _at_ends(source: Source, language: Dialect) -> dict[int, str]:
-    """Return the text of the short comments behind code, by line."""
-    shown = {line: without_marks(text) for line, text in comments_of(source, language)[1].items()}
-    return {line: text for line, text in shown.items() if len(text) <= MAX_COMMENT}
+    return channels(program.structure, program.settings, names, remarks(source, language))

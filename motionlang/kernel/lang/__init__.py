@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.comments import Named as Named
     from motionlang.kernel.lang.comments import comments_of as comments_of
     from motionlang.kernel.lang.comments import names_in_comments as names_in_comments
+    from motionlang.kernel.lang.comments import remarks as remarks
     from motionlang.kernel.lang.comments import without_marks as without_marks
     from motionlang.kernel.lang.debugging import Frame as Frame
     from motionlang.kernel.lang.foreign import AT_PROMPT as AT_PROMPT
@@ -109,7 +110,7 @@ PUBLIC = {
     "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
     "step_graph": "StepGraph",
     "step_task": "StepTask",
-    "comments": "Named comments_of names_in_comments without_marks",
+    "comments": "Named comments_of names_in_comments remarks without_marks",
     "debugging": "Frame",
     "snapshot": "Snapshot",
     "waits": "ROUNDING wait_idle wait_until",

@@ -10,60 +10,78 @@ Old programs list their channels at the head, in one of a few forms:
 
 A list begins at a word such as IN with a number, in capitals if the first one of the comment is, or below a heading,
 which is a line of such words alone. A line without a word continues the list above it. Lists of several kinds in one
-line are columns: a number belongs to the list whose word or number is above it.
+line are columns: a number belongs to the list whose word or number is above it. The numbers of a list ascend; one that
+does not explains a value (`IN 4 state, 0 idle`).
 
-A name is what follows a number up to the next item, a sign that ends it, two blanks or a number with a unit. An item
-begins behind two blanks or a sign. A number behind one blank may be part of a name (`3 nest 1 bottle`), so it begins an
-item only if the list counts on with it. A number whose list is uncertain gets no name. The caller keeps only the names
-of numbers that the program uses, because a comment may be about anything.
+A name is what follows a number up to the next item, a sign that ends it, a bracket, two blanks or a number with a unit.
+An item begins behind two blanks or a sign. A number behind one blank may be part of a name (`3 nest 1 bottle`), so it
+begins an item only if the list counts on with it. A number whose list is uncertain gets no name, and neither does one
+with a sentence. The caller keeps only the names of numbers that the program uses, because a comment may be about
+anything.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import pairwise, repeat, zip_longest
+from textwrap import shorten
 
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.source import Source
 
-# The words that begin a list, and what it names.
+# The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
-    "input": "in(?:put)?s?x?|di|din",
-    "output": "out(?:put)?s?x?|do|dout",
-    "analogue input": "adc|ai|ain|analogue? in(?:put)?s?",
-    "analogue output": "dac|ao|aout|analogue? out(?:put)?s?",
-    "axis": "ax(?:is|es)",
+    "input": "d?i|i/?p|in(?:p(?:ut)?)?s?x?|din",
+    "output": "d?[oq]|o/?p|out(?:p(?:ut)?)?s?x?|dout",
+    "channel": "ch(?:an(?:nel)?)?s?",
+    "analogue input": "adc|ai|ain|analog(?:ue)?(?: in(?:put)?s?)?",
+    "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
+    "axis": "ax(?:is|es)?",
+    "encoder": "enc(?:oder)?s?",
     "register": "r(?:eg(?:ister)?s?)?",
     "comms element": "comms",
-    "network data": "net ?data",
+    "network data": "net(?: ?data)?",
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
-# A word that begins a list, with its first number: "IN 0", "in1", "out 33".
-_BEGIN = re.compile(rf"(?:^|(?<=\s)|(?<=[,;|.]))(?:{_KIND})[ .:#=(]*(?=\d)", re.IGNORECASE)
 # A word of a heading, which has only such words: "Inputs", "OUTPUTS:", "Inputs (24 V)".
 _HEADING = re.compile(rf"(?:{_KIND})(?:\s?\([^()]*\))?\s?:?(?=\s\s|\s*$)", re.IGNORECASE)
+# A name before its word and number: "carriage = axis 0", "datum switch of the saddle on i/p 8".
+_REVERSED = re.compile(
+    rf"\s*(?P<name>[A-Z]|[A-Za-z][\w ]+?)(?:\s*=\s*|(?<=\w) on )(?:{_KIND})[ .#]*(?P<number>\d{{1,3}})\.?\s*",
+    re.IGNORECASE,
+)
+_UNIT = "(?:mm|s|ms|sec(?:ond)?s?|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A|%)"
+# A number behind a word, two blanks, a sign or one blank, with the sign and the letter behind it: "IN 0 -", "OUT(0) =".
 _ITEM = re.compile(
-    r"(?P<number>\d{1,3})\)?(?P<sign>\s*[-=:]\s*(?:\d+\s+)?|\s+)(?P<name>[A-Za-z].*)", re.DOTALL
+    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:]\s))|(?<=\s))(?:{_KIND})(?(starts)[ .:#=(]*|[.:#=(]* ?)"
+    r"|(?P<wide>^\s*|(?<!\s)\s\s+)|(?P<sign>[,;|*]\s*|\.\s)|\s)(?P<number>\d{1,3})"
+    rf"(?:\)?\s*(?P<equal>=)\s*|\)?\s*[-:.|]\s*|\)?\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[A-Za-z])?",
+    re.IGNORECASE,
 )
-_UNIT = "(?:mm|s|ms|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A)"
-_NUMBER = rf"(?=\d{{1,3}}(?:\s*[-=:]|\s+(?!{_UNIT}\b)[A-Za-z]))"
-# Where an item begins behind two blanks, behind a sign, and perhaps behind one blank.
-_WIDE = re.compile(rf"(?<=\s\s){_NUMBER}", re.IGNORECASE)
-_SIGN = re.compile(r"(?:[,;|*]\s*|\.\s)(?=\d{1,3}\b)")
-_BLANK = re.compile(rf"(?<=\S\s)(?=\d{{1,3}}\s+(?!{_UNIT}\b)[A-Za-z])", re.IGNORECASE)
-# Where the name ends: at two blanks, a sign, a number with a unit, or the value of a number.
+# Where the name ends: at two blanks, a sign, a bracket, a number with a unit, a range, or the value of a number.
 _END = re.compile(
-    rf"\s{{2,}}|[,;|*]|[.:](?:\s|$)|\s+(?=\d[\d.]*\s+{_UNIT}\b)|\s+(?=\d{{1,3}}\s*=)", re.IGNORECASE
+    rf"\s{{2,}}|[,;|*(]|(?<=\w\w)[.:](?:\s|$)|\s-\s+(?=\w)|(?:\s+in)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
+    r"|(?:\s+in)?\s+(?:mm|deg|rpm|%)(?=\s*(?:[,;.]|\s\s|$))"
+    r"|\s+(?=\d{1,3}(?:\s*=|-\d))",
+    re.IGNORECASE,
 )
-_MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*]*", re.IGNORECASE)
+# Words at the begin of a sentence, and those that only a sentence has: it is no name.
+_SENTENCE = re.compile(
+    r"(?:and|as|at|by|for|from|has|if|of|only|or|to|until|wait|when|while|with)\b|.*\b(?:are|be|is|let|must|was)\b",
+    re.IGNORECASE,
+)
+_MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*|]*", re.IGNORECASE)
 # A text in brackets, in which no item begins; `COMMS(3)` is none.
 _BRACKETS = re.compile(r"\((?!\s*\d+\s*\))[^()]*\)")
 # "X = 0" and "X=0": a letter for an axis.
 _LETTER = re.compile(r"\b([A-Z])\s*=\s*(\d)\b")
-_UNITS = re.compile(rf"^{_UNIT}\b", re.IGNORECASE)
-MAX_NAME = 28
+# A channel that is an output: "CH 9 OUT vibrator", "CH9 red lamp (out)".
+_OUT = re.compile(r"(?:^|\()out(?:put)?\b\)?\s*", re.IGNORECASE)
+# A remark that may be a name has at most three words.
+_REMARK = re.compile(r"[A-Za-z][\w/.-]*(?: [\w/.-]+){0,2}")
+MAX_NAME = 40
 # How far from its column a number may be, in characters.
 REACH = 3
 
@@ -79,32 +97,37 @@ class Named:
 
 
 @dataclass(eq=False, slots=True)
-class _Cell:
-    """A text that begins with a number, at column `at` of a line.
+class _Item:
+    """A number at column `at` of a line, and the column at which the text behind it begins.
 
-    `kind` is that of the word before it, which is at column `start`; without a word it is empty.
+    `end` is the column of the next item that is certain. `kind` is that of the word before the number, which is at
+    column `start`; without a word it is empty. A word or two blanks begin a cell of a table. A number behind one blank
+    `is_loose`: it may be part of a name.
     """
 
     line: int
+    text: str
     start: int
     at: int
-    text: str
-    kind: str = ""
-
-    @property
-    def number(self) -> int:
-        return _leading(self.text)
+    begin: int
+    number: int
+    kind: str
+    begins_cell: bool
+    is_loose: bool
+    has_equal: bool
+    end: int = 0
 
 
 @dataclass(eq=False, slots=True)
 class _List:
-    """A list of items of one kind, in cells."""
+    """A list of items of one kind; `column` is that of its last cell."""
 
     kind: str
-    cells: list[_Cell] = field(default_factory=list)
+    items: list[_Item] = field(default_factory=list)
+    column: int = -1
 
-    def is_continued_by(self, cell: _Cell) -> bool:
-        return bool(self.cells) and cell.number == self.cells[-1].number + 1
+    def is_continued_by(self, item: _Item) -> bool:
+        return bool(self.items) and item.number == self.items[-1].number + 1
 
 
 @dataclass(eq=False, slots=True)
@@ -129,38 +152,44 @@ class _Lists:
         self.columns = [_Column(each.start(), each.end(), self._new(_kind(each))) for each in words]
         self._last = None
 
-    def add(self, cells: Sequence[_Cell]) -> None:
-        """Add the cells of a line to their lists; those whose list is uncertain are left out."""
+    def add(self, items: Sequence[_Item]) -> None:
+        """Add the items of a line to their lists; those whose list is uncertain are left out."""
+        cells = [each for each in items if each.begins_cell]
         if any(each.kind for each in cells):
-            self._add_with_words(cells)
+            lists = iter(self._with_words(cells))
         elif self.columns:
-            self._add_below(cells)
-        elif re.match(r"\d\s*=", cells[0].text):
-            self._new("axis").cells += cells
+            lists = iter(self._below(cells))
+        else:
+            lists = repeat(self._new("axis") if items[0].has_equal else None)
+        current = None
+        for item in items:
+            current = next(lists) if item.begins_cell else current
+            if current is not None:
+                current.items.append(item)
+                current.column = item.at if item.begins_cell else current.column
 
-    def _add_with_words(self, cells: Sequence[_Cell]) -> None:
-        """Add a line with words; its columns are new unless it repeats the words of those above."""
-        columns: list[_Column] = []
+    def _with_words(self, cells: Sequence[_Item]) -> list[_List | None]:
+        """Return the lists of a line with words; its columns are new unless it repeats the words of those above."""
+        found: list[_List | None] = []
         current: _List | None = None
         is_repeated = True
         for cell in cells:
-            above = self._list_above(cell) if self._has_kinds or not (cell.kind or current) else None
-            if cell.kind and above is not None and above.kind == cell.kind:
-                current = above
-            elif cell.kind:
-                current, is_repeated = self._new(cell.kind), False
-            elif current is not None and above is not None and above.kind != current.kind:
-                continue
-            chosen = current or above
-            if chosen is not None:
-                chosen.cells.append(cell)
-                columns.append(_Column(cell.start, cell.at, chosen))
+            above = self._list_above(cell) if self._has_kinds or current is None else None
+            known = (each for each in (above, current) if each is not None and each.kind == cell.kind)
+            if cell.kind:
+                same = next(known, None)
+                is_repeated &= same is not None
+                current = same or self._new(cell.kind)
+            is_uncertain = not cell.kind and current and above and above.kind != current.kind
+            found.append(None if is_uncertain else current or above)
         if not is_repeated:
-            self.columns = columns
+            placed = zip(cells, found, strict=True)
+            self.columns = [_Column(cell.start, cell.at, each) for cell, each in placed if each is not None]
         self._last = current
+        return found
 
-    def _add_below(self, cells: Sequence[_Cell]) -> None:
-        """Add a line without words.
+    def _below(self, cells: Sequence[_Item]) -> list[_List | None]:
+        """Return the lists of a line without words.
 
         If it counts on from the end of a line with words, it may continue its text and have no columns.
         """
@@ -168,13 +197,11 @@ class _Lists:
         kinds = {each.kind for each in above if each is not None}
         if len(kinds) == 1 and self._may_continue_text(cells[0], above[0]):
             self.columns = []
-            return
+            return [None] * len(cells)
         self._last = None
-        for cell, each in zip(cells, above, strict=True):
-            if each is not None:
-                each.cells.append(cell)
+        return above
 
-    def _may_continue_text(self, cell: _Cell, above: _List | None) -> bool:
+    def _may_continue_text(self, cell: _Item, above: _List | None) -> bool:
         last = self._last
         if last is None or above is None or above.kind == last.kind:
             return False
@@ -184,7 +211,7 @@ class _Lists:
     def _has_kinds(self) -> bool:
         return len({each.below.kind for each in self.columns}) > 1
 
-    def _list_above(self, cell: _Cell) -> _List | None:
+    def _list_above(self, cell: _Item) -> _List | None:
         """Return the list whose columns are above a cell, None if it is uncertain."""
         if not self._has_kinds:
             return self.columns[-1].below if self.columns else None
@@ -212,20 +239,19 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
         last = line
         if words := _heading(text):
             lists.head(words)
-        elif cells := _cells(line, text, lists.columns):
-            lists.add(cells)
-        elif not any(each.below.cells for each in lists.columns) and not re.search(r"\w", text):
+        elif items := _items(line, text, {each.below.column for each in lists.columns}):
+            lists.add(items)
+        elif not any(each.below.items for each in lists.columns) and not re.search(r"\w", text):
             continue  # a rule below a heading
         else:
             lists.columns = []
             found += (
-                (line, each.start(), Named("axis", int(each[2]), each[1], line))
-                for each in _LETTER.finditer(text)
+                (line, at, Named(kind, number, name, line)) for at, kind, number, name in _reversed(text)
             )
     for each in lists.all:
         found += (
-            (cell.line, cell.at, Named(each.kind, number, name, cell.line))
-            for cell, number, name in _items(each.cells)
+            (item.line, item.at, Named(kind, item.number, name, item.line))
+            for item, kind, name in _named(each)
         )
     return [each for *_, each in sorted(found, key=lambda each: each[:2])]
 
@@ -245,6 +271,14 @@ def comments_of(source: Source, language: Dialect) -> tuple[list[tuple[int, str]
     return own, behind
 
 
+def remarks(source: Source, language: Dialect) -> dict[int, str]:
+    """Return the comments behind code that may be names, by line: nouns of a few words."""
+    shown = {line: without_marks(text) for line, text in comments_of(source, language)[1].items()}
+    return {
+        line: text for line, text in shown.items() if _REMARK.fullmatch(text) and not _SENTENCE.match(text)
+    }
+
+
 def without_marks(comment: str) -> str:
     """Return the text of a comment."""
     return _MARKS.sub("", comment).strip()
@@ -256,91 +290,94 @@ def _heading(text: str) -> list[re.Match[str]]:
     return words if words and not _HEADING.sub("", text).strip() else []
 
 
-def _cells(line: int, text: str, columns: Iterable[_Column]) -> list[_Cell]:
-    """Return the cells of a line that has words or begins with a number.
+def _items(line: int, text: str, filled: Collection[int]) -> list[_Item]:
+    """Return the items of a line that has words or begins with a number; below a column one blank is enough.
 
-    Below a column a number begins a cell even if the one before it leaves only one blank.
+    In the middle of a text the words look like the one at its start.
     """
     outside = _BRACKETS.sub(lambda brackets: "(" * len(brackets[0]), text)
-    begins = {each.end(): each for each in _beginnings(outside)}
-    first = re.match(r"\s*(?=\d)", outside)
-    if not begins and first is None:
+    found: list[_Item] = []
+    style: bool | None = None
+    for match in _ITEM.finditer(outside):
+        kind, at = _kind(match), match.start("number")
+        start = max(match.start(), match.end("starts")) if kind else at
+        is_upper = outside[start:at].isupper()
+        if not (kind or match["name"]) or (kind and match["starts"] is None and is_upper != style):
+            continue
+        style = is_upper if kind and not found else style
+        begins_cell = bool(kind) or match["wide"] is not None or at in filled
+        is_loose = not begins_cell and match["sign"] is None
+        begin = match.start("name") if match["name"] else len(text)
+        number, has_equal = int(match["number"]), match["equal"] is not None
+        found.append(_Item(line, text, start, at, begin, number, kind, begins_cell, is_loose, has_equal))
+    if not any(each.kind for each in found) and outside[: found[0].at if found else 0].strip():
         return []
-    numbers = {each.end() for each in _WIDE.finditer(outside)} | ({first.end()} if first else set())
-    filled = {each.below.cells[-1].at for each in columns if each.below.cells}
-    numbers |= filled & {each.end() for each in _BLANK.finditer(outside)}
-    starts = sorted(numbers | begins.keys())
-    ends = sorted({*numbers, *(each.start() for each in begins.values()), len(text)})
-    return [
-        _Cell(
-            line,
-            begins[at].start() if at in begins else at,
-            at,
-            text[at : next(end for end in ends if end > at)],
-            _kind(begins[at]) if at in begins else "",
-        )
-        for at in starts
-    ]
-
-
-def _beginnings(text: str) -> Iterator[re.Match[str]]:
-    """Yield the words that begin a list; in the middle of a text they look like the one at its start."""
-    is_list = is_upper = False
-    for match in _BEGIN.finditer(text):
-        before = text[: match.start()]
-        starts = not before.strip() or re.search(r"\s\s$|[,;|.]\s?$", before)
-        if starts or (is_list and match[0][0].isupper() == is_upper and "  " not in match[0]):
-            yield match
-        if not before.strip():
-            is_list, is_upper = True, match[0][0].isupper()
+    end = len(text)
+    for item in reversed(found):
+        item.end, end = end, end if item.is_loose else item.start
+    return found
 
 
 def _kind(match: re.Match[str]) -> str:
-    return next(kind for kind in _WORDS if match.group(kind.replace(" ", "_")))
+    return next((kind for kind in _WORDS if match.group(kind.replace(" ", "_"))), "")
 
 
-def _leading(text: str) -> int:
-    digits = re.match(r"\d+", text)
-    return int(digits[0]) if digits else 0
+def _reversed(text: str) -> Iterator[tuple[int, str, int, str]]:
+    """Yield offsets, kinds, numbers and names of items whose name comes first."""
+    for at, part in enumerate(re.split(r"\s\s+|[,;]", text)):
+        match = _REVERSED.fullmatch(part)
+        if match is not None and not _SENTENCE.match(match["name"]):
+            yield at, _kind(match), int(match["number"]), match["name"]
+    yield from ((each.start(), "axis", int(each[2]), each[1]) for each in _LETTER.finditer(text))
 
 
-def _items(cells: Sequence[_Cell]) -> Iterator[tuple[_Cell, int, str]]:
-    """Yield numbers and names of a list.
+def _named(one: _List) -> Iterator[tuple[_Item, str, str]]:
+    """Yield the items of a list with their kinds and names.
 
-    In a list without equal signs, `1 = automatic` explains a value of the item before it, and so does `00 = none`.
+    A list has equal signs if its last word has one. Without them `1 = automatic` explains a value of the item before
+    it. A number that does not ascend begins such an explanation, which ends at the next cell that ascends. With equal
+    signs, a number in a cell counts on.
     """
-    parts = [(cell, part) for cell in cells for part in _split(cell.text, _SIGN)]
-    split = _split_at_blanks([part for _, part in parts])
-    parts = [(cell, item) for (cell, _), items in zip(parts, split, strict=True) for item in items]
-    has_signs = bool(parts) and re.match(r"\d+\)?\s*=", parts[0][1]) is not None
-    for cell, part in parts:
-        match = _ITEM.match(part)
-        if match is None or ("=" in match["sign"] and not has_signs) or re.match(r"0\d", match["number"]):
+    items = _certain(one.items)
+    has_equals = bool(items) and items[0].has_equal
+    last = first = line = -1
+    explains = False
+    for item, following in zip_longest(items, items[1:]):
+        has_equals = item.has_equal if item.kind else has_equals
+        if item.has_equal > has_equals:
             continue
-        name = _name(match["name"])
-        if name and not _UNITS.match(name):
-            yield cell, int(match["number"]), name[:MAX_NAME]
+        before = last if item.line == line else first
+        is_next = (
+            item.number == before + 1 if item.has_equal and not item.begins_cell else item.number > before
+        )
+        explains = not item.kind and (not is_next or (explains and not item.begins_cell))
+        if explains:
+            continue
+        first = first if item.line == line else item.number
+        line, last = item.line, item.number
+        end = following.at if following is not None and following.is_loose else item.end
+        text, kind = item.text[item.begin : end], one.kind
+        if kind == "channel" and _OUT.search(text):
+            kind, text = "output", _OUT.sub("", text)
+        name = _name(text)
+        if name and not _SENTENCE.match(name):
+            yield item, kind, shorten(name, MAX_NAME, placeholder="")
 
 
-def _split(text: str, at: re.Pattern[str]) -> list[str]:
-    """Split a text where items begin, outside brackets."""
-    outside = _BRACKETS.sub(lambda brackets: "(" * len(brackets[0]), text)
-    places = [0, *(each.end() for each in at.finditer(outside)), len(text)]
-    return [text[begin:end] for begin, end in pairwise(places)]
+def _certain(items: Sequence[_Item]) -> list[_Item]:
+    """Return the items of a list without the numbers that are part of a name.
 
-
-def _split_at_blanks(parts: Sequence[str]) -> Iterator[list[str]]:
-    """Split the parts of a list at the numbers behind one blank with which it counts on up to its next part.
-
-    In the last part they begin items if those of all parts before do.
+    A loose number begins an item if the list counts on with it up to the next one that is certain; behind the last of
+    these, if it does so everywhere before.
     """
+    found: list[_Item] = []
     is_style = True
-    for k, part in enumerate(parts):
-        split = _split(part, _BLANK)
-        numbers = [_leading(each) for each in (*split, *parts[k + 1 : k + 2])]
+    for begin, end in pairwise([*(k for k, each in enumerate(items) if not each.is_loose), len(items)]):
+        numbers = [each.number for each in items[begin : end + 1]]
         counts_on = all(number == before + 1 for before, number in pairwise(numbers))
-        is_style &= counts_on and len(split) > 1
-        yield split if is_style or (counts_on and k + 1 < len(parts)) else [part]
+        is_style &= counts_on and end - begin > 1
+        found += items[begin : end if is_style or (counts_on and end < len(items)) else begin + 1]
+    return found
 
 
 def _name(text: str) -> str:
@@ -349,4 +386,4 @@ def _name(text: str) -> str:
     name = (text[: end.start()] if end else text).strip(" .*")
     if not re.search(r"\w ?[-+]$", name) or (end is not None and text[end.end() :][:1].isdigit()):
         name = name.rstrip(" -")  # "jog -" has its sign
-    return name.partition("(")[0].rstrip() if "(" in name and ")" not in name else name
+    return name

@@ -20,124 +20,29 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
 
 
 @cases(
-    "comment, wanted",
+    "line, wanted",
     [
-        ("REM IN 0 product eye   IN 1 label gap", "input 0 product eye, input 1 label gap"),
-        ("REM IN0 tray in place, IN1 two-hand start", "input 0 tray in place, input 1 two-hand start"),
-        ("; in 1 bar in gripper  2 gripper closed", "input 1 bar in gripper, input 2 gripper closed"),
-        ("; out 33 vacuum  34 blow off", "output 33 vacuum, output 34 blow off"),
-        ("REM   OUT 0 clamp 1 spindle 2 coolant", "output 0 clamp, output 1 spindle, output 2 coolant"),
-        ("REM IN 6 drill broken (sensor, 0 = ok)", "input 6 drill broken"),
-        ("' inputs   1 lock pin out   2 lock pin in", "input 1 lock pin out, input 2 lock pin in"),
-        ("; axis 1 table, axis 2 press slide", "axis 1 table, axis 2 press slide"),
-        (
-            "REM axis 0 pusher (ballscrew 10 mm)    axis 1 lift",
-            "axis 0 pusher, axis 1 lift",
-        ),
-        ("REM   0 = table (36000 counts/rev)    1 = feed", "axis 0 table, axis 1 feed"),
-        ("' Gasket glue table, X=0 Y=1 Z=2.", "axis 0 X, axis 1 Y, axis 2 Z"),
-        ("REM OUT1 heat OUT2 knife OUT3 lamp", "output 1 heat, output 2 knife, output 3 lamp"),
-        ("Rem INPUT 4 guard OUTPUT 5 knife", "input 4 guard, output 5 knife"),
-        ("; reg 24 pitch   reg 25 parts", "register 24 pitch, register 25 parts"),
-        (
-            "' IN0 key switch, 1 = automatic   IN5 jog +   IN6 jog -",
-            "input 0 key switch, input 5 jog +, input 6 jog -",
-        ),
-        ("' IN1 jog X+ IN2 jog X- IN3 recipe, 00 = none", "input 1 jog X+, input 2 jog X-, input 3 recipe"),
-        ("REM IN 3 nest 1 bottle    4 filler up", "input 3 nest 1 bottle, input 4 filler up"),
-        ("; in 1 up to speed 2 guard   3 bar", "input 1 up to speed, input 2 guard, input 3 bar"),
-        ("' IN 4 state: 0 idle 1 busy", "input 4 state"),
-        ("' IN 4 1 = new order, 2 = abort", ""),
-        ("' wait 5 seconds for the 2 clamps", ""),
-        ("' Rev C  11/2003", ""),
+        ("PAUSE INX(3)   ' guard shut", "guard shut"),
+        ("IF INX(3) THEN PRINT 1 : REM foot pedal", "foot pedal"),
+        ("IF INX(3) OR INX(4) THEN OUTX(1) = 1 : REM both buttons", ""),
+        ("IF INX(3) THEN PAUSE NOT INX(3) : REM wire taken out", ""),
+        ("PAUSE INX(3)   ' must be let go", ""),
+        ("PAUSE INX(3)   ' until the ram is up", ""),
+        ("PAUSE INX(3)   ' ends at the very moment of the edge", ""),
+        ("PAUSE INX(3)   ' guard\nPRINT INX(3)", ""),
     ],
 )
-def test_names_in_comments(comment: str, wanted: str) -> None:
-    assert ", ".join(names(comment)) == wanted
+def test_a_remark_names_the_channel_that_its_line_alone_reads(line: str, wanted: str) -> None:
+    assert channel(f"{line}\n", "input 3").name == wanted
 
 
-# What uses all channels, axes and registers that comments name.
-MINT = "".join(f"OUTX({k}) = INX({k})\n" for k in range(7)) + "MOVER(0) = 1 : MOVER(1) = 1 : MOVER(2) = 1\n"
-MCCL = "WN1,WN2,CN33,CN34,1MR5,2MR5,RA24,AR25\n"
+def test_a_remark_behind_a_command_is_no_name() -> None:
+    assert channel("OUTX(3) = 1 : REM lift up\n", "output 3").name == ""
 
 
-def names(comment: str) -> list[str]:
-    """Return the names that a comment gives, in the order in which it has them."""
-    found = made(f"{comment}\n{MCCL}", "mccl") if comment.startswith(";") else made(f"{comment}\n{MINT}")
-    named = [f"{each.title} {each.name}" for each in found.channels if each.name]
-    named += [f"axis {each.axis} {each.name}" for each in found.axes if each.name]
-    named += [f"register {each.name} {each.meaning}" for each in found.variables if each.meaning]
-    return sorted(named, key=lambda each: comment.find(each.split(" ", 2)[2]))
-
-
-# Lists below each other and side by side, with the names that they give.
-LISTS = """
-' IN  0 ram at bottom       OUT 0 press clutch
-'     1 ram at top              1 lubricate
-'                               2 box full lamp
-'     3 stop (event)
-= input 0 ram at bottom, output 0 press clutch, input 1 ram at top, output 1 lubricate, output 2 box full lamp,
-= input 3 stop (event)
-
-REM Inputs               Outputs
-REM
-REM  0 housing in nest    0 clamp
-REM  1 nest 1 bottle      1 screwdriver
-= input 0 housing in nest, output 0 clamp, input 1 nest 1 bottle, output 1 screwdriver
-
-	' INPUTS (24 V):	OUTPUTS:
-	' --------------	--------
-	' 0 = guard		0 = lamp
-= input 0 guard, output 0 lamp
-
-; in  1 door          out 3 lamp
-;     2 lid closed now  4 horn
-; a number behind one blank, at that of the column
-; in  1 door      out 3 lamp
-;     2 lid shut      4 horn
-= input 1 door, output 3 lamp, input 2 lid closed now, output 4 horn
-
-' IN 0 door          OUT 0 lamp
-' IN 1 lid           OUT 1 horn
-'    2 nest full         2 clamp
-= input 0 door, output 0 lamp, input 1 lid, output 1 horn, input 2 nest full, output 2 clamp
-
-' the second row may go on with the text of the first: it has no names
-' IN 0 door   IN 1 lid   OUT 2 lamp
-'    3 horn    4 clamp
-'    5 fan
-= input 0 door, input 1 lid, output 2 lamp
-
-' between two columns, and of a line that has a word itself
-' IN 0 door          OUT 0 lamp
-'           1 lid
-' IN 2 nest          3 horn
-= input 0 door, output 0 lamp, input 2 nest
-
-' OUT 0 clamp 1 spindle
-'     2 coolant 3 horn
-= output 0 clamp, output 1 spindle, output 2 coolant, output 3 horn
-
-' OUT 0 clamp
-'     1 nest 2 full
-'     2 nest 3 full
-= output 0 clamp, output 1 nest 2 full, output 2 nest 3 full
-
-' IN 0 key switch, 1 = automatic
-'    2 = manual, 3 = test
-= input 0 key switch
-"""
-
-
-@cases("lines", [each.strip("\n") for each in LISTS.split("\n\n")])
-def test_names_in_lists(lines: str) -> None:
-    comment = "\n".join(each for each in lines.splitlines() if not each.startswith("="))
-    wanted = " ".join(each[2:] for each in lines.splitlines() if each.startswith("="))
-    assert ", ".join(names(comment)) == wanted
-
-
-def test_the_mark_of_a_comment_is_no_part_of_a_name() -> None:
-    assert channel("OUTX(3) = 1 : REM clamp\n", "output 3").name == "clamp"
+def test_a_number_in_a_list_of_channels_names_the_input_or_an_output_without_one() -> None:
+    found = made("' CH1 pedal   CH2 lamp\nOUTX(1) = INX(1)\nOUTX(2) = 1\n").channels
+    assert [each.known_as for each in found] == ["input 1 (pedal)", "output 1", "output 2 (lamp)"]
 
 
 def test_an_input_with_all_its_uses() -> None:
@@ -275,8 +180,3 @@ def test_a_task_and_a_handler_are_started_not_called() -> None:
 def test_the_direction_of_velocity_mode_is_a_fact_of_its_axis() -> None:
     found = made("1DI1\n", "mccl").axes[0]
     assert [fact.text for fact in found.of("move")] == ["DI = 1"]
-
-
-def test_a_list_goes_on_in_the_next_line() -> None:
-    comment = "REM  IN  0 carton     1 clamped\nREM      3 start     4 row of product"
-    assert names(comment) == ["input 0 carton", "input 1 clamped", "input 3 start", "input 4 row of product"]
