@@ -106,6 +106,7 @@ __all__ = [
     "Transition",
     "Trial",
     "Visit",
+    "alarms_in",
     "asks",
     "causes_of",
     "described",

@@ -1,4 +1,4 @@
-"""Cautions before a program is changed: inputs that cut off moves, outputs that are on in a move, endless waits.
+"""Cautions before a program is changed: what starts the cycle, what cuts off moves, alarms, outputs, endless waits.
 
 An input cuts off a move if the exploration has seen it: the input changed in the middle of the move. Outputs are those
 of the run in the likeliest world. A wait has no time-out if nothing came by itself while it lasted.
@@ -12,13 +12,15 @@ from dataclasses import dataclass
 from math import inf
 
 from motionlang.commands.map.names import ReaderNames
-from motionlang.exploration import Exploration
+from motionlang.exploration import Change, Exploration
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import ranges
 
 # An output that is on for less than this in a motion only follows or precedes it, s.
 SHORT = 1e-3
+# So many causes of an alarm and of its reset are shown.
+MAX_CAUSES = 2
 
 
 @dataclass(eq=False, slots=True)
@@ -32,7 +34,9 @@ class CautionRow:
 
 def cautions(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[CautionRow]:
     """Return the cautions of a machine."""
-    rows = [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
+    rows = list(_start(exploration, names))
+    rows += [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
+    rows += _alarms(exploration, names)
     rows += [
         CautionRow("on in motion", names[f"output {channel}"], f"is on in moves of {_lines(at)}")
         for channel, at in sorted(_on_in_motion(exploration.world.run, exploration.beside).items())
@@ -46,6 +50,33 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         if at in node.reads
     }
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
+
+
+def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
+    """Yield the last changes before the first move of the cycle."""
+    causes: Collection[Change] = ()
+    for each in exploration.world.cycle.transitions * 2:
+        causes = each.causes or causes
+        if causes and each.does.moves:
+            what = " and ".join(map(names.change, causes))
+            yield CautionRow("starts", what, f"start{'s' if len(causes) == 1 else ''} the cycle")
+            return
+
+
+def _alarms(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
+    """Yield the outputs of alarms, with the fewest changes that switch each on and off again."""
+    causes: dict[str, tuple[list[str], list[str]]] = {}
+    transitions = (each for node in exploration.nodes for each in node.transitions)
+    for each in sorted(transitions, key=lambda each: len(each.causes)):
+        last = {act.subject: act.words for act in each.acts if act.subject in names.alarms}
+        for subject, words in last.items():
+            text = " and ".join(map(names.change, each.causes)) or "itself"
+            causes.setdefault(subject, ([], []))[words.endswith("off")].append(text)
+    for subject in sorted(causes):
+        on, off = (
+            " or ".join(list(dict.fromkeys(each))[:MAX_CAUSES]) or "nothing" for each in causes[subject]
+        )
+        yield CautionRow("alarm", names[subject], f"goes on by {on}, and off by {off}")
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:

@@ -38,6 +38,7 @@ invalid
 
 examples:
   motionlang map old.prg
+  motionlang map old.prg --all
   motionlang map old.prg -o old.html
   motionlang map old.prg --no-run     the text alone, at once
   motionlang map old.prg --unit cut   the statements of a sub
@@ -57,7 +58,7 @@ examples:
     line: int | None = option(
         "N", "show only the states and the ways in which line N runs", read=whole("a line number", 1, 10**9)
     )
-    all: bool = flag("show all ways of all states; the text has those of the cycle and the next ones")
+    all: bool = flag("show all of the map; the text has one screen of what to know first")
     no_run: bool = flag("show only what the text says, without playing the program")
 
     def check(self) -> None:
@@ -81,7 +82,7 @@ examples:
         if self.unit is not None:
             text = unit_text(made, _unit(made, self.unit), width=width, colour=colour)
         elif self.line is not None:
-            text = line_text(made, self.line, width=width, colour=colour, has_all=self.all)
+            text = line_text(made, self.line, width=width, colour=colour)
         else:
             text = render(made, width=width, colour=colour, has_all=self.all)
         if self.format in ("text", "json", "csv", "none"):

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from motionlang.commands.map.axes import AxisMap
 from motionlang.commands.map.channels import Channel
-from motionlang.exploration import Act, Change
+from motionlang.exploration import Act, Change, alarms_in
+from motionlang.kernel.lang import Named
 
 
 class ReaderNames:
     """Channels and axes by the names that a reader knows."""
 
-    def __init__(self, channels: Iterable[Channel], axes: Iterable[AxisMap]) -> None:
+    def __init__(self, channels: Collection[Channel], axes: Iterable[AxisMap]) -> None:
         self._known = {each.title: each.known_as for each in channels}
         self._known |= {f"axis {each.axis}": each.title for each in axes}
+        outputs = [each for each in channels if each.kind == "output" and each.number.isdecimal()]
+        alarms = alarms_in(Named("output", int(each.number), each.name, 0) for each in outputs)
+        self.alarms = {f"output {each}" for each in alarms}
 
     def __contains__(self, subject: str) -> bool:
         return subject in self._known

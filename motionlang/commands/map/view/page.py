@@ -33,22 +33,27 @@ def page(made: ProgramMap, timing: str = "") -> str:
         world = "\n".join(world_lines(behaviour))
         body += ['<h2 id="cycle">Cycle</h2>', f"<p>{escape(cycle_line(behaviour))}</p>"]
         body += ['<div class="scroll">', timing, "</div>", *_table(tables.cycle(behaviour))]
-        body += (
-            [f"<p>In this world, which motionlang init writes:</p><pre>{escape(world)}</pre>"]
-            if world
-            else []
-        )
         cautions = tables.cautions(behaviour)
         body += [f'<h2 id="cautions">{cautions.head}</h2>', *_table(cautions)]
+        never = tables.unreached(made)
+        body += [f'<h2 id="{never.name}">{never.head}</h2>', *_table(never)]
         body += ['<h2 id="states">States</h2>']
+        if world:
+            body.append(f"<p>In this world, which motionlang init writes:</p><pre>{escape(world)}</pre>")
         body += [f"<p>{escape(each)}</p>" for each in behaviour.remarks]
         body += _table(tables.transitions(behaviour))
         body += ['<h2 id="choices">Choices</h2>', *_table(tables.choices(behaviour))]
         body += ['<h2 id="handlers">Handlers</h2>', *_table(tables.handlers(behaviour))]
         host = tables.host_numbers(made, behaviour)
         body += [f'<h2 id="host">{host.head}</h2>', *_table(host)] if host.rows else []
-        links = [("cycle", "Cycle"), ("cautions", "Cautions"), ("states", "States"), ("handlers", "Handlers")]
-    for table in tables.of_text(made):
+        links = [
+            ("cycle", "Cycle"),
+            ("cautions", "Cautions"),
+            (never.name, never.head),
+            ("states", "States"),
+            ("handlers", "Handlers"),
+        ]
+    for table in tables.of_text(made)[: None if behaviour is None else -1]:
         body += [f'<h2 id="{table.name}">{escape(table.head)}</h2>', *_table(table)]
         links.append((table.name, table.head))
     body += ['<h2 id="program">Program</h2>', *_program(made)]

@@ -6,7 +6,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from math import inf
 from textwrap import wrap
 
 from motionlang.commands.map.behaviour import HandlerRow, MachineBehaviour, StateRow, TransitionRow
@@ -18,10 +17,10 @@ from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
-# So much of what happens in a transition is shown, or so much of its begin and its end, and so much of the cycle.
-# So many ways of states that are not in the cycle, and effects of handlers, each in so many states, are shown at first.
-MAX_WAYS, MAX_HANDLERS, MAX_NAMES = 40, 10, 2
-MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_CYCLE_ROWS = 10, 5, 3, 40
+# So much of what happens in a transition is shown, or so much of its begin and its end; so many states of a handler.
+MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_NAMES = 10, 5, 3, 2
+# So many lines of the cycle, of what to know, and of what never ran are on the first screen, which has 40 lines.
+MAX_CYCLE_ROWS, MAX_CAUTIONS, MAX_NEVER = 10, 7, 3
 
 
 def headline(made: ProgramMap) -> str:
@@ -43,8 +42,10 @@ def headline(made: ProgramMap) -> str:
 
 
 def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool = False) -> str:
-    """Return a map as text: the ways that matter, those of the cycle first, or all of them."""
+    """Return a map as text: one screen of what a maintainer asks first, or all of it."""
     found = [headline(made)]
+    if made.behaviour is not None and not has_all:
+        return "\n".join([*found, *_screen(made, made.behaviour, width, colour)]) + "\n"
     if made.behaviour is not None:
         found += ["", *_cycle(made, made.behaviour, width, colour), *_cautions(made.behaviour, width, colour)]
         found += ["", styled("States", "bold", colour)]
@@ -52,13 +53,14 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
             found += _wrapped(remark, "", width)
         if len(made.behaviour.states) == 1:
             found.append("the program waits for nothing around it")
-        found += _states(made.behaviour.states, width, colour, inf if has_all else MAX_WAYS)
+        for state in made.behaviour.states:
+            found += _state(state, width, colour)
         if made.behaviour.choices:
             found += ["", styled("Choices", "bold", colour)]
         for choice in made.behaviour.choices:
             text = f"{choice.instead}, waiting in {choice.state}: {_then(choice.then)}"
             found += _wrapped(text, "  ", width)
-        found += _handlers(made.behaviour.handlers, width, colour, has_all)
+        found += _handlers(made.behaviour.handlers, width, colour)
         host = tables.host_numbers(made, made.behaviour)
         found += ["", *host.lines(width, colour=colour)] if host.rows else []
     for table in tables.of_text(made):
@@ -86,14 +88,28 @@ def world_lines(behaviour: MachineBehaviour) -> Iterator[str]:
             yield f"[[{table}]] {entry}{f'  ({count} times)' if count > 1 else ''}"
 
 
+def _screen(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: bool) -> Iterator[str]:
+    """Yield the cycle, what starts and stops it, alarms, and what never ran, so much that it fits a screen."""
+    yield from ("", styled("Cycle", "bold", colour), *_wrapped(cycle_line(behaviour), "", width))
+    table = tables.cycle(behaviour)
+    yield from ["", *_first(table.lines(width, colour=colour), MAX_CYCLE_ROWS + 3)] if table.rows else []
+    yield from _first(list(_cautions(behaviour, width, colour)), MAX_CAUTIONS + 2)
+    never = tables.unreached(made)
+    yield from ["", *_first(never.lines(width, colour=colour), MAX_NEVER + 3)]
+    yield from ("", "--all shows all of this, the states, handlers, channels, axes, units and variables")
+
+
+def _first(lines: Sequence[str], most: int) -> Iterator[str]:
+    """Yield the first lines, and how many are left out."""
+    yield from lines[:most]
+    if len(lines) > most:
+        yield f"… {count_of(len(lines) - most, 'line')} more"
+
+
 def _cycle(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: bool) -> list[str]:
     """Return the cycle: its time, what happens in it, a picture, and the world in which it runs."""
     found = [styled("Cycle", "bold", colour), *_wrapped(cycle_line(behaviour), "", width)]
     table = tables.cycle(behaviour)
-    left = len(table.rows) - MAX_CYCLE_ROWS
-    if left > 0:
-        table.rows = table.rows[:MAX_CYCLE_ROWS]
-        table.notes.append(f"… and {left} more: -o FILE.html or FILE.json has all")
     found += ["", *table.lines(width, colour=colour)] if table.rows else []
     picture = list(drawn(made, width, colour))
     if picture:
@@ -120,20 +136,6 @@ def _some(names: Sequence[str]) -> str:
     return "; ".join(names if more < 2 else [*names[:MAX_NAMES], f"{more} more states"])
 
 
-def _states(states: Sequence[StateRow], width: int, colour: bool, most: float) -> Iterator[str]:
-    """Yield states with at most so many ways in all; those that are left out are counted."""
-    ways = 0
-    for number, state in enumerate(states):
-        if number and ways + len(state.transitions) > most and not state.is_in_cycle:
-            left = states[number:]
-            count = sum(len(each.transitions) for each in left)
-            yield ""
-            yield f"… {count_of(count, 'way')} more in {count_of(len(left), 'state')}: --all shows them"
-            return
-        ways += len(state.transitions)
-        yield from _state(state, width, colour)
-
-
 def _state(state: StateRow, width: int, colour: bool) -> list[str]:
     if not state.statement and not state.transitions:
         return []
@@ -151,17 +153,13 @@ def _ways(transitions: Sequence[TransitionRow], width: int) -> Iterator[str]:
         yield from _wrapped(f"{each.until} → {each.to}, {each.seconds:.2f} s{then}", "  ", width)
 
 
-def _handlers(rows: Sequence[HandlerRow], width: int, colour: bool, has_all: bool) -> Iterator[str]:
-    """Yield what handlers do, the first rows or all of them."""
-    shown = rows[: None if has_all else MAX_HANDLERS]
-    if shown:
+def _handlers(rows: Sequence[HandlerRow], width: int, colour: bool) -> Iterator[str]:
+    if rows:
         yield from ("", styled("Handlers", "bold", colour))
-    for row in shown:
+    for row in rows:
         then = f": {_then(row.then)}" if row.then else ""
         states = _some(list(row.states))
         yield from _wrapped(f"{row.unit}: {row.start}, waiting in {states} → {row.to}{then}", "  ", width)
-    if len(rows) > len(shown):
-        yield f"  … {len(rows) - len(shown)} more: --all shows them"
 
 
 def _then(acts: Sequence[str]) -> str:
@@ -184,7 +182,7 @@ def _wrapped(text: str, indent: str, width: int) -> list[str]:
     )  # fmt: skip
 
 
-def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False, has_all: bool = False) -> str:
+def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False) -> str:
     """Return the states and the ways in which a line runs, or why it never ran."""
     source, behaviour = made.source, made.behaviour
     assert behaviour is not None
@@ -196,7 +194,7 @@ def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False, 
             _state(replace(state, transitions=ways), width, colour) if ways or line in state.lines else []
         )
     handlers = [each for each in behaviour.handlers if line in each.lines]
-    found += _handlers(handlers, width, colour, has_all)
+    found += _handlers(handlers, width, colour)
     if len(found) == 1:
         found.append(f"  {_why_in_none(made, behaviour, line)}")
     return "\n".join(found) + "\n"
