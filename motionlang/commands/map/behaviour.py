@@ -15,7 +15,7 @@ from operator import attrgetter
 
 from motionlang.commands.map.cautions import CautionRow, cautions
 from motionlang.commands.map.names import ReaderNames
-from motionlang.commands.map.units import Reachability
+from motionlang.commands.map.units import Reachability, UnreachedRow
 from motionlang.exploration import (
     Act,
     Change,
@@ -33,7 +33,7 @@ from motionlang.exploration import (
     without_figures,
     without_memory,
 )
-from motionlang.kernel import Run, Source
+from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure
 
 # What a task waits for, by cause.
@@ -115,16 +115,6 @@ class CycleRow:
 
 
 @dataclass(eq=False, slots=True)
-class UnreachedRow:
-    """Lines that never ran, with the text of the first one, and the reason: a condition, a handler, or no way there."""
-
-    first: int
-    last: int
-    text: str
-    why: str
-
-
-@dataclass(eq=False, slots=True)
 class MachineBehaviour:
     """The behaviour of a machine: its states, power-up first, handlers, choices, its cycle, and lines that never ran.
 
@@ -151,7 +141,7 @@ class MachineBehaviour:
 
 
 def behaviour_of(
-    exploration: Exploration, structure: Structure, names: ReaderNames, unreached: Iterable[tuple[int, int]]
+    exploration: Exploration, structure: Structure, names: ReaderNames, unreached: Iterable[UnreachedRow]
 ) -> MachineBehaviour:
     """Return what a machine does by its exploration; nothing leads to the lines of `unreached`."""
     run = exploration.world.run
@@ -167,7 +157,7 @@ def behaviour_of(
         cautions(exploration, structure, names),
         words.remarks(),
         sorted(
-            (*_never_run(exploration, structure), *_without_way(structure.source, unreached)),
+            (*_never_run(exploration, structure), *unreached),
             key=attrgetter("first"),
         ),
         span,
@@ -293,7 +283,7 @@ class _Words:
             first = min(same, key=lambda causes: (len(causes), any(map(is_probe, causes))))
             others = [one for causes in same for one in causes]
             until = " and ".join(self.values(one, others) for one in first)
-            then = [self.names.act(act) for act in node.refused[first]]
+            then = [self.names.of(act) for act in node.refused[first]]
             yield TransitionRow(until, then, 0.0, "the same question")
 
     def until(self, each: Transition, others: Sequence[Transition]) -> str:
@@ -309,7 +299,7 @@ class _Words:
             if other is not each and other.causes == each.causes:
                 others_levels = other.visit.levels
                 differing |= dict.fromkeys(
-                    self.names.change(Change("input", channel, levels.get(channel, 0.0)))
+                    self.names.of(Change("input", channel, levels.get(channel, 0.0)))
                     for channel in sorted({*levels, *others_levels})
                     if f"input {channel}" in read | set(self.exploration.reads(other.target or ()))
                     and levels.get(channel, 0.0) != others_levels.get(channel, 0.0)
@@ -327,7 +317,7 @@ class _Words:
         )
 
     def then(self, each: Transition) -> list[str]:
-        return [self.names.act(act) for act in each.acts]
+        return [self.names.of(act) for act in each.acts]
 
     def values(self, change: Change, others: Iterable[Change]) -> str:
         """Return a change, with the other values of the same channel among some."""
@@ -337,7 +327,7 @@ class _Words:
             for one in others
             if (one.table, one.number, one.prompt) == same and one != change and not is_probe(one)
         )
-        return self.names.change(change) + (f" (or {', '.join(values)})" if values else "")
+        return self.names.of(change) + (f" (or {', '.join(values)})" if values else "")
 
     def handler(self, each: Transition) -> str:
         """Return the handler that a change of a transition starts, "" for none; the state does not wait for it."""
@@ -357,9 +347,9 @@ class _Words:
                 unit = self.handler(each)
                 if not unit:
                     continue
-                start = " and ".join(map(self.names.change, each.causes))
+                start = " and ".join(map(self.names.of, each.causes))
                 acts = _after(each)
-                then = [self.names.act(act) for act in acts]
+                then = [self.names.of(act) for act in acts]
                 if each.target == node.state and not then:
                     continue  # nothing is seen of it
                 to = "the end" if each.target is None else self.lines(each.target)
@@ -390,8 +380,8 @@ class _Words:
             moved |= lines
             for each in cycle.transitions:
                 if each.causes in each.variants:
-                    acts = [self.names.act(act) for act in exploration.acts(trial, cycle.visit.time)]
-                    instead = " and ".join(map(self.names.change, each.causes))
+                    acts = [self.names.of(act) for act in exploration.acts(trial, cycle.visit.time)]
+                    instead = " and ".join(map(self.names.of, each.causes))
                     found.append(ChoiceRow(instead, self.lines(each.source), acts))
         return found
 
@@ -559,8 +549,3 @@ def _first(structure: Structure, counted: Collection[int], start: int) -> Iterat
             yield points[p].at
         else:
             stack += points[p].next
-
-
-def _without_way(source: Source, unreached: Iterable[tuple[int, int]]) -> Iterator[UnreachedRow]:
-    for first, last in unreached:
-        yield UnreachedRow(first, last, source.line(first).strip(), "nothing leads here")

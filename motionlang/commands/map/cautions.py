@@ -58,7 +58,7 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     for each in exploration.world.cycle.transitions * 2:
         causes = each.causes or causes
         if causes and each.does.moves:
-            what = " and ".join(map(names.change, causes))
+            what = " and ".join(map(names.of, causes))
             yield CautionRow("starts", what, f"start{'s' if len(causes) == 1 else ''} the cycle")
             return
 
@@ -70,7 +70,7 @@ def _alarms(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow
     for each in sorted(transitions, key=lambda each: len(each.causes)):
         last = {act.subject: act.words for act in each.acts if act.subject in names.alarms}
         for subject, words in last.items():
-            text = " and ".join(map(names.change, each.causes)) or "itself"
+            text = " and ".join(map(names.of, each.causes)) or "itself"
             causes.setdefault(subject, ([], []))[words.endswith("off")].append(text)
     for subject in sorted(causes):
         on, off = (
@@ -87,7 +87,7 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
     cut_off = exploration.cut_off()
     for one in sorted(cut_off, key=lambda each: (each.table, each.number, each.value)):
         unit = units.get(one.subject)
-        yield names.change(one), f"cuts off moves of {_lines(cut_off[one])}{f' by {unit}' if unit else ''}"
+        yield names.of(one), f"cuts off moves of {_lines(cut_off[one])}{f' by {unit}' if unit else ''}"
 
 
 def _on_in_motion(run: Run, beside: Iterable[int]) -> dict[int, set[int]]:

@@ -26,13 +26,7 @@ class ReaderNames:
     def __getitem__(self, subject: str) -> str:
         return self._known.get(subject, subject)
 
-    def change(self, change: Change) -> str:
-        """Return a change with the name of its channel."""
-        return self._named(change.subject, str(change))
-
-    def act(self, act: Act) -> str:
-        """Return an act with the name of its axis or output."""
-        return self._named(act.subject, str(act))
-
-    def _named(self, subject: str, text: str) -> str:
-        return f"{self[subject]}{text[len(subject) :]}" if text.startswith(subject) else text
+    def of(self, one: Act | Change) -> str:
+        """Return an act or a change with the name of its axis or channel."""
+        text = str(one)
+        return f"{self[one.subject]}{text[len(one.subject) :]}" if text.startswith(one.subject) else text

@@ -9,7 +9,7 @@ from motionlang.commands.map.axes import AxisMap, axes
 from motionlang.commands.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang.commands.map.channels import Channel, channels, only_named, order_of
 from motionlang.commands.map.names import ReaderNames
-from motionlang.commands.map.units import MapVariable, UnitMap, units, variables
+from motionlang.commands.map.units import MapVariable, UnitMap, UnreachedRow, units, variables
 from motionlang.exploration import Exploration, explore, without_world
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
@@ -19,7 +19,7 @@ from motionlang.kernel.lang import Structure, comments_of, names_in_comments, re
 class ProgramMap:
     """The map of a program: channels, axes, units and variables; `behaviour` is that of the machine, None if unknown.
 
-    `unreached` are the first and last lines of statements that nothing leads to.
+    `unreached` are the lines of statements that nothing leads to.
     """
 
     source: Source
@@ -29,7 +29,7 @@ class ProgramMap:
     axes: Sequence[AxisMap]
     units: Sequence[UnitMap]
     variables: Sequence[MapVariable]
-    unreached: Sequence[tuple[int, int]]
+    unreached: Sequence[UnreachedRow]
     behaviour: MachineBehaviour | None = None
 
 

@@ -6,6 +6,7 @@ import re
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import groupby
 
 from motionlang.kernel.lang import CALL, ENTER, Definition, Named, Structure, Unit
 
@@ -58,8 +59,18 @@ class MapVariable:
         return bool(self.reads or self.writes)
 
 
-def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitMap], list[tuple[int, int]]]:
-    """Return the units of a program, and the first and last lines of statements that nothing reaches.
+@dataclass(eq=False, slots=True)
+class UnreachedRow:
+    """Lines that never ran, with the text of the first one, and the reason: a condition, a handler, or no way there."""
+
+    first: int
+    last: int
+    text: str
+    why: str
+
+
+def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitMap], list[UnreachedRow]]:
+    """Return the units of a program, and the lines of statements that nothing reaches.
 
     `comments` are those with a line of their own.
     """
@@ -83,7 +94,11 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
             _add(own.starts, title, structure.line(at))
             for each in meant.get(title, ()):
                 _add(by_title[each].started_by, own.title, structure.line(at))
-    return list(made.values()), reader.unreached_lines
+    unreached = [
+        UnreachedRow(first, last, structure.source.line(first).strip(), "nothing leads here")
+        for first, last in reader.unreached_lines
+    ]
+    return list(made.values()), unreached
 
 
 def variables(
@@ -220,12 +235,7 @@ class Reachability:
         for at, statement in self.structure.statements.items():
             if at in written and not statement.is_silent:
                 lines[statement.line] = lines.get(statement.line, False) or at in reached
-        found: list[tuple[int, int]] = []
-        is_open = False
-        for line, is_reached in sorted(lines.items()):
-            if not is_reached and is_open:
-                found[-1] = found[-1][0], line
-            elif not is_reached:
-                found.append((line, line))
-            is_open = not is_reached
-        return found
+        groups = [
+            (is_reached, list(same)) for is_reached, same in groupby(sorted(lines), key=lines.__getitem__)
+        ]
+        return [(same[0], same[-1]) for is_reached, same in groups if not is_reached]

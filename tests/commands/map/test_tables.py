@@ -123,7 +123,7 @@ def test_units_and_what_nothing_reaches() -> None:
     assert units["program"].starts == {"task Lamp": [2]}
     assert units["sub Fill"].called_by == {"program": [1], "task Lamp": [14]}
     assert [title for title, each in units.items() if not each.is_reached] == ["sub Spare"]
-    assert found.unreached == [(4, 5), (11, 11)]
+    assert [(each.first, each.last) for each in found.unreached] == [(4, 5), (11, 11)]
 
 
 def test_variables_have_the_lines_that_read_and_write_them() -> None:

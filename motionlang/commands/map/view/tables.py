@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
-from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour, StateRow, TransitionRow, UnreachedRow
+from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour, StateRow, TransitionRow
 from motionlang.commands.map.channels import DEVICES, Channel, polled
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.kernel.lang import HOST_CHANNELS, KINDS, READ, Statement, Unit
@@ -249,10 +249,7 @@ def unreached(made: ProgramMap) -> Table:
     if made.behaviour is not None:
         rows, empty = made.behaviour.unreached, "every statement ran"
     else:
-        rows = [
-            UnreachedRow(first, last, made.source.line(first).strip(), "nothing leads here")
-            for first, last in made.unreached
-        ]
+        rows = list(made.unreached)
         empty = "every statement can be reached"
     columns = [
         Column("first", "from line"),

@@ -17,8 +17,8 @@ from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import count_of
 from motionlang.views.terminal import printable, styled
 
-# So much of what happens in a transition is shown, or so much of its begin and its end; so many states of a handler.
-MAX_ACTS, FIRST_ACTS, LAST_ACTS, MAX_NAMES = 10, 5, 3, 2
+# So much of what happens in a transition is shown, or so much of its begin and its end.
+MAX_ACTS, FIRST_ACTS, LAST_ACTS = 10, 5, 3
 # So many lines of the cycle, of what to know, and of what never ran are on the first screen, which has 40 lines.
 MAX_CYCLE_ROWS, MAX_CAUTIONS, MAX_NEVER = 10, 7, 3
 
@@ -130,12 +130,6 @@ def _cautions(behaviour: MachineBehaviour, width: int, colour: bool) -> Iterator
         yield from _wrapped(f"{each.what} {each.why}", "  ", width)
 
 
-def _some(names: Sequence[str]) -> str:
-    """Return names, of many the first ones and how many there are."""
-    more = len(names) - MAX_NAMES
-    return "; ".join(names if more < 2 else [*names[:MAX_NAMES], f"{more} more states"])
-
-
 def _state(state: StateRow, width: int, colour: bool) -> list[str]:
     if not state.statement and not state.transitions:
         return []
@@ -158,7 +152,7 @@ def _handlers(rows: Sequence[HandlerRow], width: int, colour: bool) -> Iterator[
         yield from ("", styled("Handlers", "bold", colour))
     for row in rows:
         then = f": {_then(row.then)}" if row.then else ""
-        states = _some(list(row.states))
+        states = "; ".join(row.states)
         yield from _wrapped(f"{row.unit}: {row.start}, waiting in {states} → {row.to}{then}", "  ", width)
 
 
