@@ -208,7 +208,7 @@ class Explorer:
         node.tried[causes] = None
         states, read, is_news = len(self.nodes), len(node.channels), self.is_news(trial)
         self._seen |= trial.seen
-        news, rest = self.arrive(node, visit, causes, trial)
+        news, rest = self.arrive(node, visit, causes, trial, is_news)
         further: list[Iterator[Causes]] = []
         if len(causes) == 1 and questions.is_read_again(self, trial, causes[0]):
             further.append(questions.pulses(self, node, visit, causes[0], trial))
@@ -248,8 +248,12 @@ class Explorer:
 
     # ------------------------------------------------------------------------------------------------ arriving
 
-    def arrive(self, node: StateNode, visit: Visit, causes: Causes, trial: Trial) -> tuple[bool, Rest | None]:
+    def arrive(
+        self, node: StateNode, visit: Visit, causes: Causes, trial: Trial, is_news: bool = False
+    ) -> tuple[bool, Rest | None]:
         """Take the rests of a trial behind a change, and return the first one.
+
+        If it `is_news`, what it says leads on, too.
 
         The first result is True if it leads this state elsewhere for the first time.
         """
@@ -272,6 +276,8 @@ class Explorer:
                         source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST_REST
                 did = [*self._handled(trial, since, rest.end), *_jogs(trial, since, rest.end)] if how else []
+                if how and is_news and rest.question is None:
+                    did += [each.time for each in self.part(trial, since, rest.end).prints]
                 if did:
                     self._link(source, back, how, rest.state, trial, since, max(did), known, is_over)
                 continue  # the same stay
@@ -397,7 +403,8 @@ class Explorer:
         lines = tuple(each.line for each in part.moves)
         does = _does(part, until)
         handled = self._handled(trial, since, until)
-        if source.knows(causes, target, does) or (target == source.state and not lines and not handled):
+        is_idle = target == source.state and not (lines or handled or does.prints)
+        if source.knows(causes, target, does) or is_idle:
             return False
         is_later = visit is source.later
         if is_later and target in known and self._moved.issuperset(lines):

@@ -101,9 +101,9 @@ class Transition:
     variants: dict[Causes, None] = field(default_factory=dict)
 
     @property
-    def is_jog(self) -> bool:
-        """True if it only begins motion without an end, during which the state goes on."""
-        return self.source == self.target and bool(self.work) and not self.done
+    def goes_on(self) -> bool:
+        """True if the state goes on meanwhile: it prints, or begins motion without an end."""
+        return self.source == self.target and not self.done
 
 
 @dataclass(eq=False)

@@ -44,7 +44,7 @@ from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Causes, Transition, Visit, delay
-from motionlang.exploration.trials import Trial, TrialMotion, is_short_move, without_figures
+from motionlang.exploration.trials import Trial, TrialMotion, is_short_move, plain, without_figures
 from motionlang.exploration.values import first_write
 from motionlang.identification import Digital, Entry, Observation, channels, place, rules_of
 from motionlang.kernel import Axis, Run
@@ -192,10 +192,21 @@ def _with_more_on(
 
 
 def _count(cycle: MachineCycle, trial: Trial) -> int:
-    """Return how often a trial has come through a cycle: how often each of its lines has moved an axis."""
+    """Return how often a trial has come through a cycle: how often each of its lines has moved an axis.
+
+    If none moves one, it is how often each line was printed.
+    """
     since = cycle.visit.time if cycle.repeats else 0.0
+    if not cycle.work:
+        printed = Counter(_words(each.text) for each in trial.prints if each.time >= since)
+        return min((printed[without_figures(each)] for each in cycle.said), default=0)
     counts = Counter(each.line for each in trial.moves if each.begin >= since and not each.is_short)
     return min((counts[line] for line in cycle.work), default=0)
+
+
+def _words(text: str) -> str:
+    """Return a printed line as the acts of a transition have it, without figures."""
+    return without_figures(repr(plain(text)))
 
 
 def _quality(cycle: MachineCycle, trial: Trial) -> tuple[bool, bool, int]:
@@ -250,12 +261,12 @@ def played(
         found = explorer.rests(trial)
         due = next(_due(found, policy, at, before), None)
         changes: Causes = ()
-        jogs = False
+        goes_on = False
         if due is not None:
             chosen = policy[due.state][0]
             policy[due.state].rotate(-1)
             changes = _missing(chosen.causes, timeline) or _again(chosen.causes)
-            jogs = chosen.is_jog
+            goes_on = chosen.goes_on
         if not changes:  # elsewhere: go round by other transitions
             due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
             changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
@@ -265,7 +276,7 @@ def played(
         if due is None or not changes:
             break
         reset = _reset(explorer, changes, timeline) if _is_same(due, at, before) else ()
-        before, begin = None if jogs else due.state, max(due.begin, at)
+        before, begin = None if goes_on else due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
         new = {each.channel for each in changes}
         made = made_at(at, (*(each for each in back if each.channel not in new), *reset))

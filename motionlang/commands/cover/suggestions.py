@@ -17,7 +17,7 @@ from motionlang.commands.cover.worlds import CutOff, Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import Change, Entry, Exploration, entries, plain, tables_of
+from motionlang.exploration import Change, Entry, Exploration, entries, number_in, plain, tables_of
 from motionlang.kernel import ProgramError, Run, Source, read_machine, run
 from motionlang.kernel.lang import layered, names_in_comments
 from motionlang.kernel.report import axes as axes_of
@@ -89,7 +89,7 @@ class Search:
             return {**added, **self._above(tables), "run.until": round(min(until, self.limit), 2)}
 
         yield "work", settings(world.settings, world.run.time)
-        transitions = [each for node in exploration.nodes for each in node.transitions if each.causes]
+        transitions = [each for node in exploration.nodes for each in node.transitions]
         transitions.sort(key=lambda each: len(each.visit.timeline) + len(each.causes))
         for each in transitions:
             tables = tables_of(each.visit.changed(each.causes))
@@ -103,12 +103,17 @@ class Search:
             yield self._name(varied.causes, said), settings(tables_of(trial.timeline), trial.time)
 
     def _above(self, tables: Mapping[str, object]) -> dict[str, object]:
-        """Return tables on top of the program's own: other inputs that it drives are off."""
-        driven = {each["channel"]: None for each in entries(self.own, "input")}
-        mine = {each["channel"] for each in entries(tables, "input")}
-        off: list[Entry] = [{"channel": each, "at": 0.0, "value": 0} for each in driven if each not in mine]
-        inputs = [*entries(tables, "input"), *off]
-        return {**tables, **({"input": inputs} if inputs else {})}
+        """Return tables on top of the program's own: other inputs and levels that it drives are off."""
+        above = dict(tables)
+        for table in ("input", "analogue"):
+            mine = {number_in(table, each) for each in entries(tables, table)}
+            driven = dict.fromkeys(number_in(table, each) for each in entries(self.own, table))
+            off: list[Entry] = [
+                {"channel": each, "at": 0.0, "value": 0} for each in driven if each not in mine
+            ]
+            if made := [*entries(tables, table), *off]:
+                above[table] = made
+        return above
 
     def _name(self, causes: Iterable[Change], said: Iterable[str]) -> str:
         """Return the name of a scenario by what changes in it and what it says then, such as "guard-open-on-alarm"."""
@@ -123,7 +128,7 @@ class Search:
             if len(name) + 1 + len(word) > MAX_NAME:
                 break
             name += f"-{word}" if name else word
-        return name.removesuffix("-and")
+        return name.removesuffix("-and") or "by-itself"
 
     def _try(self, name: str, settings: dict[str, object]) -> Iterator[SuggestedWorld]:
         """Run a world, and yield it if it reaches something new and its expectations hold."""
