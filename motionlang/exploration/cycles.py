@@ -100,6 +100,11 @@ class MachineCycle:
         return _said(self.transitions)
 
     @property
+    def does_work(self) -> bool:
+        """True if it moves an axis, and does not only jog."""
+        return bool(self.work) and bool(self.done or self.outputs or self.said)
+
+    @property
     def repeats(self) -> bool:
         """True if it returns to its first state; False if it is one run of the program."""
         return not self.transitions or self.transitions[-1].target is not None
@@ -130,7 +135,7 @@ def cycles(
     statements: int,
     alarms: frozenset[int],
 ) -> list[MachineCycle]:
-    """Return the cycles of an exploration, the likeliest first and those without motion last.
+    """Return the cycles of an exploration, the likeliest first and those without motion, or that only jog, last.
 
     Of those of the same states it is the best. What switches on one of the outputs `alarms` counts less.
     """
@@ -143,7 +148,7 @@ def cycles(
     found = [*_loops(nodes, known), *_runs(nodes, known), *_without_rest(work, known)]
     best: dict[object, MachineCycle] = {}
     for each in sorted(
-        found, key=lambda cycle: (not cycle.work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
+        found, key=lambda cycle: (not cycle.does_work, -cycle.value, len(cycle.visit.timeline), cycle.lines)
     ):
         best.setdefault((each.repeats, frozenset(each.states) if each.states else each.work), each)
     menus = {each.transitions[-1].source for each in best.values() if _ends_menu(each)}

@@ -277,7 +277,8 @@ class Explorer:
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST_REST
                 did = [*self._handled(trial, since, rest.end), *_jogs(trial, since, rest.end)] if how else []
                 if how and is_news and rest.question is None:
-                    did += [each.time for each in self.part(trial, since, rest.end).prints]
+                    said = self.part(trial, since, rest.end).prints
+                    did += [each.time for each in said if each.at not in self.handlers]
                 if did:
                     self._link(source, back, how, rest.state, trial, since, max(did), known, is_over)
                 continue  # the same stay
