@@ -24,8 +24,8 @@ An input that is read while an axis moves, or whose change starts a handler, is 
 If the comparisons of a program count how often an input comes, in a move or at rest, it comes as often as they ask for.
 
 A question is a state, and an answer is a change. Without a choice are the switches of an axis that homes for ever
-(`switches.py`). The likeliest cycles (`cycles.py`) are played, and the world of the first that repeats is described by
-simple rules (`world.py`). A long run in that world shows what only a full layer or the end of a batch brings, and the
+(`switches.py`). The likeliest cycles (`cycles.py`) are played (`playing.py`), and the world of the first that repeats is
+described by simple rules (`world.py`). A long run in that world shows what only a full layer or the end of a batch brings, and the
 search goes on behind it (`further.py`).
 
 Not simulated yet: changes of anything but an input in the middle of a move.
@@ -58,6 +58,7 @@ from motionlang.exploration.changes import (
 )
 from motionlang.exploration.cycles import MachineCycle, alarms_in, cycles
 from motionlang.exploration.further import goes_further
+from motionlang.exploration.playing import played
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
@@ -76,7 +77,7 @@ from motionlang.exploration.trials import (
 )
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
-from motionlang.exploration.world import FoundWorld, nowhere, played, world_of
+from motionlang.exploration.world import FoundWorld, nowhere, world_of
 from motionlang.identification import Entry
 from motionlang.kernel import Program, Run, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import names_in_comments

@@ -19,53 +19,37 @@ with a way. A task that moves no axis may come further or less far. No other han
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict, deque
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
 
-from motionlang.exploration.changes import (
-    AT_REST,
-    Change,
-    Moment,
-    Timeline,
-    entries,
-    is_about,
-    levels_at,
-    made_at,
-    number_in,
-    tables_of,
-)
+from motionlang.exploration.along import along, answers, beyond
+from motionlang.exploration.changes import AT_REST, Change, entries, is_about, number_in, tables_of
 from motionlang.exploration.cycles import MachineCycle, wrong
-from motionlang.exploration.questions import PERIOD
+from motionlang.exploration.playing import COMPARED, TIMES, count, faults, played, quality
 from motionlang.exploration.recorder import HANDLERS
-from motionlang.exploration.rests import BODY, Rest, RestState
+from motionlang.exploration.rests import Rest
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
-from motionlang.exploration.states import DELAY, Causes, Transition, Visit, delay
-from motionlang.exploration.trials import Trial, TrialMotion, is_short_move, plain, without_figures
+from motionlang.exploration.states import DELAY, Causes, Visit
+from motionlang.exploration.trials import Trial, is_short_move, without_figures
 from motionlang.exploration.values import first_write
-from motionlang.identification import Digital, Entry, Observation, channels, place, rules_of
-from motionlang.kernel import Axis, Run
+from motionlang.identification import Digital, Entry, Observation, channels, rules_of
+from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched
 
-# So often a cycle is played, with so many changes that lead back to it; it repeats if each of its lines does so often.
-TIMES, EXTRA, ENOUGH = 5, 3, 3
-# A cycle with something that only each fourth turn brings, such as a full layer, is played for so many times as long.
-SLOW = 5
+# A cycle repeats if each of its lines does so often.
+ENOUGH = 3
 # Each input is described so often, since its rule may depend on those of the others.
 PASSES = 2
-# So many turns of a cycle are compared.
-COMPARED = 6
 # A world is tried for so long, s.
 WHOLE = 300.0
 # So many cycles are played until one repeats, and of those that do not, so many are played in the world that it takes.
 PLAYED, EXPLAINED = 6, 2
 # An input that answers an output soon, s: some programs look only once.
 SOON = 0.1
-# A rest that is shorter than this, s, is over before a change comes.
-SHORT = 0.1
 # What happens so close to the ends of a rest, s, led there or leads on.
 MOMENT = 0.02
 # A world is compared for this much longer than the played run.
@@ -74,8 +58,6 @@ LONGER = 1.5
 PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
 # An input that is on from the start, and one that answers.
 ON, ASKED = {"at": 0.0}, {"asked": DELAY}
-# So many marks are on the way of an axis that goes on and on, and positions are the same within this, uu.
-MARKS, SAME = 300, 0.01
 # The tables of numbers of a host, and those whose entries may happen again by themselves.
 NUMBERS = ("comms", "netdata", "modbus.register")
 WRITES = (*NUMBERS, "key")
@@ -106,34 +88,43 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     """
     best: tuple[tuple[bool, bool, int], MachineCycle, Trial] | None = None
     explained = 0
+    wanted = True, True, min(times, ENOUGH)
     for cycle in _latest_first(explorer, likeliest)[:PLAYED]:
-        trial = played(explorer, cycle, times=times)
-        has_level = any(each.table == "analogue" for _, each in trial.timeline)
-        jogs = any(each.end == inf for each in trial.moves)
-        if (has_level or jogs) and 0 < _count(cycle, trial) < min(times, ENOUGH) and cycle.repeats:
-            back = played(explorer, cycle, times=times, goes_back=True)
-            trial = max(trial, back, key=lambda each: _count(cycle, each))
-        found_with, wanted = _found_with(cycle), (True, True, min(times, ENOUGH))
-        if found_with and cycle.repeats and _quality(cycle, trial) < wanted:
-            other = played(explorer, cycle, found_with, times=times)
-            trial = max(trial, other, key=lambda each: _quality(cycle, each))
-        quality, count = _quality(cycle, trial), _count(cycle, trial)
+        trial = _best_played(explorer, cycle, times)
+        found, often = quality(cycle, trial), count(cycle, trial)
         is_worse = best is not None and best[0][0] and wrong(cycle.said) > wrong(best[1].said)
-        if best is None or (quality > best[0] and cycle.repeats and not is_worse):
-            best = quality, cycle, trial
-        if quality >= wanted or (count >= wanted[2] and _faults(cycle, trial) * ENOUGH <= count):
+        if best is None or (found > best[0] and cycle.repeats and not is_worse):
+            best = found, cycle, trial
+        if found >= wanted or (often >= wanted[2] and faults(cycle, trial) * ENOUGH <= often):
             break
-        if 0 < count < times and cycle.repeats and cycle.work and explained < EXPLAINED:
+        if 0 < often < times and cycle.repeats and cycle.work and explained < EXPLAINED:
             # The changes of the next turn are other ones, but they may be the same answers.
             explained += 1
-            found = _Description(explorer, count, cycle, trial).world()
-            if _goes_on(found):
-                return found
+            world = _Description(explorer, often, cycle, trial).world()
+            if _goes_on(world):
+                return world
     if best is None:
         furthest = nowhere(explorer)
         best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
-    (*_, count), cycle, trial = best
-    return _Description(explorer, *_with_more_on(explorer, count, cycle, trial)).world()
+    _, cycle, trial = best
+    trial = _with_more_on(explorer, cycle, trial)
+    return _Description(explorer, count(cycle, trial), cycle, trial).world()
+
+
+def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
+    """Play a cycle; if it does not repeat so, with what led on off again, and with what was on where it was found."""
+    trial = played(explorer, cycle, times=times)
+    enough = min(times, ENOUGH)
+    has_level = any(each.table == "analogue" for _, each in trial.timeline)
+    jogs = any(each.end == inf for each in trial.moves)
+    if cycle.repeats and (has_level or jogs) and 0 < count(cycle, trial) < enough:
+        back = played(explorer, cycle, times=times, goes_back=True)
+        trial = max(trial, back, key=lambda each: count(cycle, each))
+    found_with = _found_with(cycle)
+    if cycle.repeats and found_with and quality(cycle, trial) < (True, True, enough):
+        other = played(explorer, cycle, found_with, times=times)
+        trial = max(trial, other, key=lambda each: quality(cycle, each))
+    return trial
 
 
 def _latest_first(explorer: Explorer, likeliest: Sequence[MachineCycle]) -> Sequence[MachineCycle]:
@@ -165,59 +156,24 @@ def _goes_on(found: FoundWorld) -> bool:
     return all(often[line] >= ENOUGH for line in found.cycle.work)
 
 
-def _with_more_on(
-    explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial
-) -> tuple[int, MachineCycle, Trial]:
+def _with_more_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Trial:
     """Play a cycle with the inputs on from the start that only come on once, if it runs as often and as well then.
 
     What they would have ended, such as an alarm, does not happen at all then.
     """
-    changes = [each for _, each in trial.timeline if each.table == "input"]
-    once = [each for each, times in Counter(each.number for each in changes).items() if times == 1]
-    later = [
+    changes = [(time, each) for time, each in trial.timeline if each.table == "input"]
+    often = Counter(each.number for _, each in changes)
+    later = tuple(
         each._replace(moment=AT_REST)
-        for time, each in trial.timeline
-        if each.table == "input" and each.number in once and each.value and time > 0.0
-    ]
-    later = [each for each in later if each.number not in explorer.triggers]
+        for time, each in changes
+        if often[each.number] == 1 and each.value and time > 0.0 and each.number not in explorer.triggers
+    )
     if cycle.repeats and later:
-        other = played(explorer, cycle, tuple(later))
-        faults, before = (wrong(one.text for one in each.prints) for each in (other, trial))
-        if _count(cycle, other) >= min(count, COMPARED) and faults <= before:
-            return _count(cycle, other), cycle, other
-    return count, cycle, trial
-
-
-# ----------------------------------------------------------------------------------------------------- playing
-
-
-def _count(cycle: MachineCycle, trial: Trial) -> int:
-    """Return how often a trial has come through a cycle: how often each of its lines has moved an axis.
-
-    If none moves one, it is how often each line was printed.
-    """
-    since = cycle.visit.time if cycle.repeats else 0.0
-    if not cycle.work:
-        printed = Counter(_words(each.text) for each in trial.prints if each.time >= since)
-        return min((printed[without_figures(each)] for each in cycle.said), default=0)
-    counts = Counter(each.line for each in trial.moves if each.begin >= since and not each.is_short)
-    return min((counts[line] for line in cycle.work), default=0)
-
-
-def _words(text: str) -> str:
-    """Return a printed line as the acts of a transition have it, without figures."""
-    return without_figures(repr(plain(text)))
-
-
-def _quality(cycle: MachineCycle, trial: Trial) -> tuple[bool, bool, int]:
-    """Return if a trial has come through a cycle, if it says nothing wrong unless the cycle does, and how often."""
-    count = _count(cycle, trial)
-    return count > 0, bool(wrong(cycle.said)) or not _faults(cycle, trial), count
-
-
-def _faults(cycle: MachineCycle, trial: Trial) -> int:
-    """Return how often a trial says that something is wrong once a cycle has begun."""
-    return wrong(each.text for each in trial.prints if each.time >= cycle.visit.time)
+        other = played(explorer, cycle, later)
+        now, before = (wrong(one.text for one in each.prints) for each in (other, trial))
+        if now <= before and count(cycle, other) >= min(count(cycle, trial), COMPARED):
+            return other
+    return trial
 
 
 def _found_with(cycle: MachineCycle) -> Causes:
@@ -225,159 +181,6 @@ def _found_with(cycle: MachineCycle) -> Causes:
     changed = {one.number for each in cycle.transitions for one in each.causes if one.table == "input"}
     on = {number for each in cycle.transitions for number, level in each.visit.levels.items() if level}
     return tuple(Change("input", number, 1.0) for number in sorted(on - changed - cycle.visit.levels.keys()))
-
-
-def played(
-    explorer: Explorer,
-    cycle: MachineCycle,
-    others: Causes = (),
-    times: int = TIMES,
-    *,
-    goes_back: bool = False,
-) -> Trial:
-    """Play a cycle some times: each change at the state that it leads on from, and others from the start.
-
-    With `goes_back` a level or an input that has led on is 0 again at the next change.
-    """
-    policy: dict[RestState | None, deque[Transition]] = defaultdict(deque)
-    for each in cycle.transitions:
-        if each.causes:
-            policy[each.source].append(each)
-    from_start = policy.pop(None)[0].causes if None in policy else ()
-    timeline: Timeline = (*((0.0, each) for each in others), *made_at(0.0, from_start), *cycle.visit.timeline)
-    at = cycle.visit.time
-
-    def is_due(trial: Trial) -> bool:
-        found = explorer.rests(trial)
-        return any(trial.time - max(rest.begin, at) > SHORT for rest in _due(found, policy, at, before))
-
-    before: RestState | None = None
-    back: list[Change] = []
-    trial = explorer.play(timeline, max(at, 0.0), is_due)
-    most = times * sum(map(len, policy.values())) + EXTRA
-    for turn in range(SLOW * most):
-        if turn >= most and not 0 < _count(cycle, trial) < times:
-            break
-        found = explorer.rests(trial)
-        due = next(_due(found, policy, at, before), None)
-        changes: Causes = ()
-        goes_on = False
-        if due is not None:
-            chosen = policy[due.state][0]
-            policy[due.state].rotate(-1)
-            changes = _missing(chosen.causes, timeline) or _again(chosen.causes)
-            goes_on = chosen.goes_on
-        if not changes:  # elsewhere: go round by other transitions
-            due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
-            changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
-        if due is None or (not changes and due.question is None):
-            due = next((rest for rest in found if rest.end == inf), None)
-            changes = () if due is None else _leading_on(explorer, timeline, due, at)
-        if due is None or not changes:
-            break
-        reset = _reset(explorer, changes, timeline) if _is_same(due, at, before) else ()
-        before, begin = None if goes_on else due.state, max(due.begin, at)
-        at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
-        new = {each.channel for each in changes}
-        made = made_at(at, (*(each for each in back if each.channel not in new), *reset))
-        made = (*made, *made_at(round(at + (PERIOD / 2 if reset else 0.0), 4), changes))
-        timeline = (*timeline, *made)
-        back = [each._replace(value=0.0) for each in changes if goes_back and _goes_back(each)]
-        since = at
-        # An input that comes and goes passes rests that are no new ones.
-        at = max([at, *(each.levels(time)[-1][0] for time, each in made if each.moment.every)])
-        trial = explorer.play(timeline, since, is_due)
-    return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and _count(cycle, trial) >= COMPARED)
-
-
-def _goes_back(change: Change) -> bool:
-    return change.table == "analogue" or (
-        change.table == "input" and change.value == 1.0 and change.moment == AT_REST
-    )
-
-
-def _leading_on(explorer: Explorer, timeline: Timeline, rest: Rest, at: float) -> Causes:
-    """Return the change of an input that was read at rest and leads on; none if there is no such input."""
-    time = round(max(rest.begin, at) + DELAY, 4)
-    levels = levels_at(timeline, inf)
-    read = dict.fromkeys(channel for channels in rest.reads.values() for channel in channels)
-    for table, number in read:
-        if table != "input" or (table, number) in explorer.given:
-            continue
-        change = Change(table, number, 1.0 - levels.get(number, 0.0))
-        tried = explorer.rests(explorer.play((*timeline, (time, change)), time))
-        if tried and tried[-1].state != rest.state:
-            return (change,)
-    return ()
-
-
-def _missing(causes: Causes, timeline: Timeline) -> Causes:
-    """Return the changes of some that change anything at the end of a timeline.
-
-    An input that changes in a move, and has that level already, has the other one until then.
-    """
-    levels = levels_at(timeline, inf)
-    missing: list[Change] = []
-    for each in causes:
-        is_there = each.table == "input" and levels.get(each.number, 0.0) == each.value
-        if is_there and each.moment != AT_REST:
-            missing.append(each._replace(value=1 - levels.get(each.number, 0.0), moment=AT_REST))
-        if not is_there or each.moment != AT_REST:
-            missing.append(each)
-    return tuple(missing)
-
-
-def _again(causes: Causes) -> Causes:
-    """Return changes to levels that are there already: the inputs go and come, since the program waits for an edge."""
-    moment = Moment(times=1, every=PERIOD)
-    return tuple(
-        each._replace(value=1.0 - each.value, moment=moment)
-        for each in causes
-        if each.table == "input" and isinstance(each.value, float)
-    )
-
-
-def _reset(explorer: Explorer, causes: Causes, timeline: Timeline) -> Causes:
-    """Return the numbers of a host that start a handler as 0 where they have the same value as before.
-
-    Some controllers start the handler only if the value changes, so the same value has led nowhere.
-    """
-    before = {each.channel: each.value for _, each in timeline}
-    return tuple(
-        each._replace(value=type(each.value)(0))
-        for each in causes
-        if each.channel in explorer.started_by and before.get(each.channel) == each.value
-    )
-
-
-def _onward(explorer: Explorer, state: RestState, policy: Collection[RestState | None]) -> Causes:
-    """Return the first changes on the shortest way from a state to one of a policy; none if there is no way."""
-    ways: deque[tuple[RestState, Causes]] = deque([(state, ())])
-    known = {state}
-    while ways:
-        here, first = ways.popleft()
-        for each in explorer.nodes[here].transitions:
-            if each.target is None or not each.causes or each.target in known:
-                continue
-            if each.target in policy:
-                return first or each.causes
-            known.add(each.target)
-            ways.append((each.target, first or each.causes))
-    return ()
-
-
-def _due(
-    found: list[Rest], policy: Collection[RestState | None], at: float, before: RestState | None
-) -> Iterator[Rest]:
-    """Yield the rests from a time on that last until a change of the policy, but for the stay that was just changed."""
-    for rest in found:
-        if rest.state in policy and not _is_same(rest, at, before) and rest.end - max(rest.begin, at) > SHORT:
-            yield rest
-
-
-def _is_same(rest: Rest, at: float, before: RestState | None) -> bool:
-    """True if a rest is the stay that was changed last, at a time."""
-    return rest.state == before and rest.begin <= at + BODY
 
 
 # -------------------------------------------------------------------------------------------------- explaining
@@ -402,7 +205,8 @@ class _Description:
                 self._writes[change].append(time)
         most = max(map(len, self._flips.values()), default=0)
         self._until = LONGER * end + PULSES["every"] * most
-        self._along, self._beyond = _along(explorer, trial), _beyond(explorer, trial)
+        self._axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
+        self._along, self._beyond = along(trial, self._axes), beyond(trial, self._axes)
         self._outputs = channels((each.channel, each.time, each.value) for each in trial.outputs)
         self._blinking = _blinking(self._outputs, trial, explorer.rests(trial))
         others = tuple(each for each in trial.timeline if each[1].table != "input")
@@ -416,18 +220,35 @@ class _Description:
         self._describe_as_asked()
         # What is on too early for one input may be in time when another one is on, too.
         for _ in range(PASSES):
-            for number, changes in sorted(self._flips.items(), key=lambda each: (len(each[1]), each[0])):
-                first: Entry = {"channel": number, "at": round(changes[0][0], 1)}
-                self._take(self._with(each, number) for each in self._rules(first, changes))
+            self._describe_inputs()
         self._describe_as_pulses()
+        self._describe_writes()
+        self._describe_others()
+        self._take(self._released())
+        settings = dict(self._settings)
+        inputs = settings.pop("input", [])
+        settings |= {"input": inputs} if inputs else {}
+        result = self._explorer.trials.run_in(settings, self._until)[0]
+        return FoundWorld(self._cycle, settings, result, self._count)
+
+    def _describe_inputs(self) -> None:
+        """Let each input follow the simplest rule."""
+        for number, changes in sorted(self._flips.items(), key=lambda each: (len(each[1]), each[0])):
+            first: Entry = {"channel": number, "at": round(changes[0][0], 1)}
+            self._take(self._with(each, number) for each in self._rules(first, changes))
+
+    def _describe_writes(self) -> None:
+        """Let each number of a host and each key that comes again follow the simplest rule."""
         for change, times in self._writes.items():
             rest = [each for each in entries(self._settings, change.table) if not is_about(change, each)]
             (first,) = entries(tables_of(((times[0], change),)), change.table)
             pulses = [each for time in times for each in ((time, 1.0), (time + MOMENT, 0.0))]
             tried = self._rules(first, pulses, is_pulse=True) if len(times) > 1 else ()
             self._take({**self._settings, change.table: [*rest, *each]} for each in tried)
+
+    def _describe_others(self) -> None:
+        """Let other inputs be on where that makes no difference, or where more is said, and write other numbers."""
         others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
-        # What makes no difference is on first: what then does more may need it.
         takes: tuple[Callable[[Settings], bool], ...] = (self._does_no_more, self._does_more)
         for takes_it, number in product(takes, sorted(others) if self._cycle.repeats else ()):
             settings = self._with([{"channel": number, **ON}], number)
@@ -438,12 +259,6 @@ class _Description:
             if table in NUMBERS and (table, number) not in changed:
                 write = entries(tables_of(((0.0, first_write((table, number))),)), table)
                 self._take([{**self._settings, table: [*write, *entries(self._settings, table)]}])
-        self._take(self._released())
-        settings = dict(self._settings)
-        inputs = settings.pop("input", [])
-        settings |= {"input": inputs} if inputs else {}
-        result = self._explorer.trials.run_in(settings, self._until)[0]
-        return FoundWorld(self._cycle, settings, result, self._count)
 
     def _with(self, made: Sequence[Entry], *numbers: int) -> Settings:
         """Return the settings with other entries for some inputs."""
@@ -535,9 +350,9 @@ class _Description:
         for number, changes in sorted(self._flips.items()):
             is_on = changes == [(0.0, 1.0)]
             asked[number] = self._along.get(number) or {"channel": number, **(ON if is_on else ASKED)}
-        answers = _answers(self._explorer, self._trial) if self._count > 1 else {}
+        others = answers(self._trial, self._axes) if self._count > 1 else {}
         tried = [asked, {**asked, **self._beyond}]
-        self._take({**self._with([*each.values()], *each), **answers} for each in tried)
+        self._take({**self._with([*each.values()], *each), **others} for each in tried)
 
     def _describe_as_pulses(self) -> None:
         """Let all inputs without a rule come and go: the times of one fit those of the others."""
@@ -665,116 +480,3 @@ def _blinking(outputs: Mapping[int, Digital], trial: Trial, found: list[Rest]) -
         for output, channel in outputs.items()
         if any(sum(begin < each.time < end for each in channel.changes) > 1 for begin, end in stays)
     }
-
-
-def _along(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
-    """Return the entries by the position of an axis for inputs that come in the middle of moves, or while one jogs.
-
-    A change that was found in a move may come at another time of the played run, when the axis is at rest.
-    """
-    changes: dict[int, list[tuple[float, Moment]]] = defaultdict(list)
-    for time, each in trial.timeline:
-        if each.table == "input" and each.value:
-            changes[each.number].append((time, each.moment))
-    axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
-    found: dict[int, Entry] = {}
-    for number, moments in changes.items():
-        passing = [(move, *each) for each in moments if (move := _passing(trial, axes, *each)) is not None]
-        if not passing:
-            continue
-        move, time, (_, _, _, times, every) = passing[0]
-        a = axes[move.axis]
-        begins = [place(a, each.begin) for each, _, _ in passing if each.line == move.line]
-        end = place(a, time + every / 2 if every else (time + min(move.end, time + 1.0)) / 2)
-        between = [round(each, 2) for each in sorted((place(a, time), end))]
-        entry: Entry = {"channel": number, "axis": move.axis, "between": between}
-        if between[0] == between[1] and not every:  # it has cut the move off
-            edge = "above" if place(a, time) > place(a, move.begin) else "below"
-            entry = {"channel": number, "axis": move.axis, edge: between[0]}
-        elif move.end == inf:  # a jog: as far as it goes
-            entry |= {"every": round(abs(place(a, time + every) - place(a, time)), 2), "times": MARKS}
-        elif max(begins) - min(begins) > SAME:
-            entry |= {"every": round((begins[1] - begins[0]) / times, 2), "times": MARKS}
-        elif times > 1:
-            entry |= {"every": round((place(a, move.end) - begins[0]) / times, 2), "times": times}
-        every_uu: float = entry.get("every", between[1] - between[0] + SAME)  # type: ignore[assignment]
-        if every_uu > between[1] - between[0]:  # a mark ends before the next one
-            found[number] = entry
-    return found
-
-
-def _beyond(explorer: Explorer, trial: Trial) -> dict[int, Entry]:
-    """Return the entries by the position of an axis for inputs that come on while it jogs: beyond it, or at steps."""
-    axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
-    moves = [
-        (time, each, _jogging(trial, axes, time)) for time, each in trial.timeline if each.table == "input"
-    ]
-    found: dict[int, Entry] = {}
-    for number in sorted({each.number for _, each, move in moves if each.value and move is not None}):
-        on = [(time, move) for time, each, move in moves if each.number == number and each.value]
-        off = [
-            time for time, each, _ in moves if each.number == number and not each.value and time > on[0][0]
-        ]
-        (time, move), *others = on
-        if move is None or not off:
-            continue
-        a = axes[move.axis]
-        first, middle = place(a, time), (place(a, time) + place(a, off[0])) / 2
-        step = round(abs(place(a, others[0][0]) - first), 2) if others else 0.0
-        entry: Entry = {"channel": number, "axis": move.axis}
-        if step > abs(middle - first):
-            between = [round(each, 2) for each in sorted((first, middle))]
-            found[number] = {**entry, "between": between, "every": step, "times": MARKS}
-        else:
-            found[number] = {**entry, "above" if first > place(a, move.begin) else "below": round(first, 2)}
-    return found
-
-
-def _jogging(trial: Trial, axes: Mapping[int, Axis], time: float) -> TrialMotion | None:
-    """Return the motion without an end of its own in which a time lies."""
-    begun = [each for each in trial.moves if each.begin <= time and each.end == inf]
-    return begun[-1] if begun and axes[begun[-1].axis].velocity(time) else None
-
-
-def _passing(trial: Trial, axes: Mapping[int, Axis], time: float, moment: Moment) -> TrialMotion | None:
-    """Return the move in whose middle an input comes: that of a line, or a jog in which it comes again and again."""
-    for each in reversed(trial.moves):
-        is_jog = moment.every and not moment.line and axes[each.axis].velocity(time)
-        if each.begin <= time < each.end and (is_jog if each.end == inf else moment.line == each.line):
-            return each
-    return None
-
-
-def _answers(explorer: Explorer, trial: Trial) -> dict[str, list[Entry]]:
-    """Return the entries by which levels, numbers and keys that a trial changes come when they are asked for.
-
-    A level that changes while an axis jogs rises with its position.
-    """
-    firsts: dict[tuple[object, ...], tuple[float, Change]] = {}
-    for time, each in trial.timeline:
-        if each.table not in ("input", "answer") and (each.value or each.table != "analogue"):
-            of = (*each.channel, each.value) if each.table == "key" else each.channel
-            firsts.setdefault(of, (time, each))
-    found: dict[str, list[Entry]] = defaultdict(list)
-    for time, each in firsts.values():
-        entry = {**entries(tables_of(((0.0, each),)), each.table)[0], "asked": DELAY}
-        del entry["at"]
-        rising = _rising(explorer, trial, time, each) if each.table == "analogue" else None
-        found[each.table].append(rising or entry)
-    return dict(found)
-
-
-def _rising(explorer: Explorer, trial: Trial, time: float, change: Change) -> Entry | None:
-    """Return the entry of a level that rises with the position of an axis that jogs at a time; None if none does."""
-    assert isinstance(change.value, float)
-    axes = explorer.trials.run_in(tables_of(trial.timeline), time)[0].controller.axes
-    move = _passing(trial, axes, time, Moment(every=inf))
-    if move is None or move.end < inf:
-        return None
-    a = axes[move.axis]
-    begin, end = place(a, move.begin), place(a, time)
-    if begin == end:
-        return None
-    edge, rise = "above" if end > begin else "below", round(change.value / (end - begin), 3)
-    base: Entry = {"channel": change.number, "axis": move.axis, edge: round(begin, 2)}
-    return {**base, "value": 0.0, "per_unit": rise}
