@@ -42,7 +42,8 @@ SAID, WRONG = 2.0, 20.0
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
-    "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stuck|lost|empty|guard|emergency"
+    "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stuck|lost|empty|emergency|refus"
+    r"|\bnok\b|guard(?=\W*$|\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",

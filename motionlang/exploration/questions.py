@@ -329,7 +329,7 @@ def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Caus
 def changes_in_moves(
     explorer: Explorer, trial: Trial, since: float, until: float, causes: Causes
 ) -> list[ChangeInMove]:
-    """Return the inputs that are read in moves, start a handler or stop an axis, but for those that changed so."""
+    """Return the inputs that are read in moves, start a handler, stop an axis or trigger a latch."""
     if any(each.moment.line for each in causes):
         return []
     motions: dict[int, TrialMotion] = {}
@@ -343,7 +343,7 @@ def changes_in_moves(
         onward = frozenset(each.line for each in part.motions if each.begin > motion.begin)
         read = _read(explorer, trial, motion.begin + 2 * EXACT, motion.end - EXACT)
         inputs = [number for table, number in read if table == "input"]
-        inputs += sorted(explorer.triggers | explorer.stops)
+        inputs += sorted(explorer.triggers | explorer.stops | explorer.latches)
         for number in dict.fromkeys(inputs):
             found.append(ChangeInMove(_flipped(("input", number), levels), motion, onward))
     return found

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
 
 from motionlang.exploration.changes import REGISTERS, WHOLE, Channel
 from motionlang.kernel import Program
-from motionlang.kernel.lang import DRIVES, READ, SET_UP, WRITE, ChannelUse, Structure, Unit
+from motionlang.kernel.lang import DRIVES, SET_UP, WRITE, ChannelUse, Structure, Unit
 
 # The tables of what has more than two levels, by the device that a statement reads.
 _TABLES = {DRIVES[table][0]: table for table in ("key", "analogue", "comms", *WHOLE)}
@@ -71,22 +72,15 @@ def written_at(program: Program) -> dict[int, set[Channel]]:
     return {at: channels for at, channels in found.items() if channels}
 
 
-def set_up(structure: Structure) -> set[int]:
-    """Return the inputs that a program gives to its axes and latches, and that no statement reads."""
-    uses = [use for each in structure.statements.values() for use in each.channels if use.channel == "input"]
-    known = [(use.access, int(use.number)) for use in uses if use.number.isdecimal()]
-    return {number for access, number in known if access == SET_UP and (READ, number) not in known}
-
-
-def stops(structure: Structure) -> set[int]:
-    """Return the inputs that a program gives to its axes to stop them: limits, errors and stops."""
-    return {
-        int(use.number)
-        for each in structure.statements.values()
-        if any(axis.row.group == "limits" for axis in each.axes)
-        for use in each.channels
-        if (use.channel, use.access) == ("input", SET_UP) and use.number.isdecimal()
-    }
+def given_inputs(structure: Structure) -> Mapping[str, set[int]]:
+    """Return the inputs that a program gives to its axes and latches, by the group of the keyword; "" for a latch."""
+    found: defaultdict[str, set[int]] = defaultdict(set)
+    for each in structure.statements.values():
+        group = next((axis.row.group for axis in each.axes if axis.row.group != "latches"), "")
+        for use in each.channels:
+            if (use.channel, use.access) == ("input", SET_UP) and use.number.isdecimal():
+                found[group].add(int(use.number))
+    return found
 
 
 def written(program: Program) -> set[Channel]:

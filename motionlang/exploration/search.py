@@ -24,10 +24,9 @@ from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestS
 from motionlang.exploration.roles import (
     beside_work,
     commands,
+    given_inputs,
     numbers_that_start,
     reached_in,
-    set_up,
-    stops,
     triggers_of,
 )
 from motionlang.exploration.states import DELAY, Causes, Departure, Effect, StateNode, Transition, Visit, Work
@@ -88,11 +87,11 @@ class Explorer:
         self.started_by = sorted(numbers_that_start(events) - self.given)
         # Handlers that command nothing count or take note.
         quiet = [each for each in events if not commands(structure, each)]
-        # So do latches: what is given to them comes and goes.
-        self.counters = triggers_of(quiet) | set_up(structure)
+        # What stops an axis, and what triggers a latch, which comes and goes like what is counted.
+        given = given_inputs(structure)
+        self.stops, self.latches = given["limits"], given[""]
+        self.counters = triggers_of(quiet) | self.latches
         self._commanding = self.handlers.difference(*(reached_in(structure, each) for each in quiet))
-        # The inputs that stop an axis.
-        self.stops = stops(structure)
         # The timelines that were tried, and the changes in the middle of a move: at all, and from each state.
         self.tried: set[Timeline] = set()
         self.changed_in: set[Hashable] = set()

@@ -1,6 +1,7 @@
-"""The switches of axes that home for ever: what leaves no choice.
+"""The switches of axes that home for ever, and encoders that something turns: what leaves no choice.
 
-The home switch is put a second ahead of the axis, and then index marks on its encoder.
+The home switch is put a second ahead of the axis, and then index marks on its encoder. An encoder that a task waits for
+turns from power-up on.
 """
 
 from __future__ import annotations
@@ -8,15 +9,18 @@ from __future__ import annotations
 from collections.abc import Collection
 from math import inf
 
+from motionlang.identification import Entry
 from motionlang.kernel import Run
 
 # The home switch lies so many seconds of homing ahead, and a tenth of that is its length.
 HOME_AHEAD = 1.0
 SWITCHES = ("home_switch", "index_every")
+# The speed of an encoder that something turns, counts/s.
+TURNING = 1000.0
 
 
 class FoundSwitches:
-    """The switches that were put where an axis looked for them: the settings of each axis by key.
+    """The switches that were put where an axis looked for them, by axis and key, and the encoders that turn.
 
     Settings of the keys that are given stay as they are.
     """
@@ -24,13 +28,13 @@ class FoundSwitches:
     def __init__(self, given: Collection[str]) -> None:
         self._given = given
         self.axes: dict[int, dict[str, object]] = {}
+        self.encoders: list[Entry] = []
 
     @property
     def settings(self) -> dict[str, object]:
         """The settings of a machine file with the switches."""
-        return {
-            f"axis.{axis}.{key}": value for axis, keys in self.axes.items() for key, value in keys.items()
-        }
+        put = {f"axis.{axis}.{key}": value for axis, keys in self.axes.items() for key, value in keys.items()}
+        return {**put, **({"encoder": self.encoders} if self.encoders else {})}
 
     def add_for_homing(self, result: Run) -> bool:
         """Put a switch where an axis of a run homes for ever, until the program gives up; False if none does."""
@@ -51,10 +55,24 @@ class FoundSwitches:
             if task.done or wait is None or wait.due() < inf:
                 continue
             for key in result.dialect.driven_by(wait.why):
+                if key == "encoder":
+                    added.append(
+                        self._turn(result, task.at, "aux" if "AUX" in wait.why.upper() else "channel")
+                    )
                 if key.startswith("axis."):
                     _, number, setting = key.split(".")
                     added.append(self._put(int(number), result, (setting,)))
         return any(added)
+
+    def _turn(self, result: Run, at: int, which: str) -> bool:
+        """Turn the encoders that a wait reads; False if they turn."""
+        assert result.program is not None
+        found = result.program.structure.waits.at(at)
+        read = sorted(number or 0 for kind, number in (found.leaves if found else ()) if kind == "encoder")
+        new: list[Entry] = [{which: each, "velocity": TURNING} for each in read]
+        new = [each for each in new if each not in self.encoders and "encoder" not in self._given]
+        self.encoders = [*self.encoders, *new]
+        return bool(new)
 
     def _put(self, number: int, result: Run, wanted: tuple[str, ...]) -> bool:
         """Put the first missing one of the wanted switches; False if the axis is at rest or has them."""

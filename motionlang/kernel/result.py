@@ -306,6 +306,10 @@ def report_guesses(result: Run) -> None:
         numbers: set[int] = {each[number] for each in stimuli.used(name) if each.get("guess")}  # type: ignore[misc]
         found += [f"{what} {', '.join(map(str, sorted(numbers)))}"] if numbers else []
         count += len(numbers)
+    turned: list[Mapping[str, object]] = settings.get("encoder", [])  # type: ignore[assignment]
+    guessed = [str(each.get("channel", each.get("aux"))) for each in turned if each.get("guess")]
+    found += [f"encoder {', '.join(guessed)}"] if guessed else []
+    count += len(guessed)
     axes = [key.split(".")[1] for key, value in settings.items() if value is True and key.endswith(".guess")]
     moved = {str(move.axis) for move in machine.log.moves} if axes else set()
     homed = sorted(moved.intersection(axes), key=int)

@@ -53,6 +53,9 @@ ANALOGUE = """
 ANSWERS = """
 # Lines that the operator types when the program asks.
 """
+ENCODERS = """
+# Encoders that something outside the controller turns, in counts per second.
+"""
 KEYS = """
 # Keys that the operator presses.
 """
@@ -108,6 +111,8 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     for table in (each for each in HEADS if each != "input"):
         guessed = [_guess(each, draft) for each in draft.entries(table)]
         sections += _table(table, HEADS[table], _lines(draft, table) + guessed)
+    encoders = [_guess(each, draft) for each in exploration.switches.encoders]
+    sections += _table("encoder", ENCODERS, encoders)
     for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
         sections.append(_axis(number, _switches(draft, number), result))
     expected = _expected(result)

@@ -271,6 +271,7 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
         "accel": ("positive", "The acceleration to that speed, in counts/s². Default: at once."),
         "index_every": ("positive", "The distance between its index marks, in counts. Default: no marks."),
         "at": _WHEN["at"],
+        "guess": _GUESS,
     },
     "answer": {
         "text": ("text", "The line that the operator types at the next INPUT."),
