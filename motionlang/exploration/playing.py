@@ -37,7 +37,8 @@ def count(cycle: MachineCycle, trial: Trial) -> int:
     if not cycle.work:
         printed = Counter(_words(each.text) for each in trial.prints if each.time >= since)
         return min((printed[without_figures(each)] for each in cycle.said), default=0)
-    counts = Counter(each.line for each in trial.moves if each.begin >= since and not each.is_short)
+    moves = (each for each in trial.moves if each.begin >= since and not (each.is_short and each.ended))
+    counts = Counter(each.line for each in moves)
     return min((counts[line] for line in cycle.work), default=0)
 
 
@@ -67,7 +68,7 @@ def played(
 ) -> Trial:
     """Play a cycle some times: each change at the state that it leads on from, and others from the start.
 
-    With `goes_back` a level or an input that has led on is 0 again at the next change.
+    With `goes_back` a level that has led on, or an input in a jog, is 0 again at the next change.
     """
     policy: dict[RestState | None, deque[Transition]] = defaultdict(deque)
     for each in cycle.transitions:
@@ -112,18 +113,19 @@ def played(
         made = made_at(at, (*(each for each in back if each.channel not in new), *reset))
         made = (*made, *made_at(round(at + (PERIOD / 2 if reset else 0.0), 4), changes))
         timeline = (*timeline, *made)
-        back = [each._replace(value=0.0) for each in changes if goes_back and _goes_back(each)]
         since = at
+        jogs = any(each.end == inf and not each.ended and each.begin < since for each in trial.moves)
+        back = [each._replace(value=0.0) for each in changes if goes_back and _goes_back(each, jogs)]
         # An input that comes and goes passes rests that are no new ones.
         at = max([at, *(each.levels(time)[-1][0] for time, each in made if each.moment.every)])
         trial = explorer.play(timeline, since, is_due)
     return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and count(cycle, trial) >= COMPARED)
 
 
-def _goes_back(change: Change) -> bool:
-    return change.table == "analogue" or (
-        change.table == "input" and change.value == 1.0 and change.moment == AT_REST
-    )
+def _goes_back(change: Change, jogs: bool) -> bool:
+    """True if a change goes back by itself: a level, or an input that an axis passes while it jogs."""
+    is_passed = jogs and change.table == "input" and change.value == 1.0 and change.moment == AT_REST
+    return is_passed or change.table == "analogue"
 
 
 def _leading_on(explorer: Explorer, timeline: Timeline, rest: Rest, at: float) -> Causes:

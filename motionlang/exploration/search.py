@@ -415,6 +415,9 @@ class Explorer:
         is_stopped = any(
             each.table == "input" and each.number in self.stops and each.value for each in causes
         )
+        # A jog that the loop of a rest begins is a person's, and no work.
+        resting = {self.line(at) for place in target or () for at in place.statements}
+        jogging = {each.line for each in part.moves if each.end == inf and each.line in resting}
         fails = is_stopped or any(each.ended == "fault" for each in part.moves)
         self._ask_in_moves(source, visit, causes, trial, since, until)
         source.transitions.append(
@@ -424,7 +427,7 @@ class Explorer:
                 target,
                 until - (since if causes else max(visit.time, 0.0)),
                 lines,
-                frozenset(each.line for each in part.moves if each.is_work),
+                frozenset(each.line for each in part.moves if each.is_work and each.line not in jogging),
                 frozenset(
                     each.line for each in part.moves if each.is_work and each.end < inf and not each.ended
                 ),
