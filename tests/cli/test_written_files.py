@@ -31,7 +31,6 @@ TWICE = "both write"
         ("improve a.mnt --patch a.mnt", USED),
         ("verify . -o a.mnt", USED),
         ("verify . -o worlds/one.toml", USED),
-        ("profile a.mnt --to p.json -o p.json", TWICE),
         ("cover a.mnt --html c.html --lcov c.html", TWICE),
         ("plot a.mnt out.html -o out.html", TWICE),
     ],

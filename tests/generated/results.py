@@ -381,8 +381,8 @@ def _init(program: Generated) -> str:
 
 def _profile(program: Generated) -> str:
     """Return the time profile of a run."""
-    form = (".json", ".speedscope.json", ".speedscope.json")[program.seed // 4 % 3]
-    return _written(_said("profile", program, "-q", "--to", f"a{form}"), f"a{form}")
+    form = (".json", ".csv", ".csv")[program.seed // 4 % 3]
+    return _written(_said("profile", program, "-o", f"a{form}"), f"a{form}")
 
 
 def _notebook(program: Generated) -> str:

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.cli.command import flag, option
-from motionlang.cli.output_files import written
+from motionlang.cli.command import flag
 from motionlang.cli.run_command import Simulated
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.profile import TimeProfile
-from motionlang.commands.profile.speedscope import SUFFIXES, write_profile
 from motionlang.commands.profile.view import profile_document, render_profile
 from motionlang.kernel import Run as Result
 from motionlang.kernel.tools import need
@@ -26,14 +23,11 @@ class ProfileCommand(Simulated):
     epilog: ClassVar[str] = """\
 examples:
   motionlang profile pick.mnt
-  motionlang profile pick.mnt --all --to pick.speedscope.json
+  motionlang profile pick.mnt --all
 """
     all: bool = flag("list every move, phase and line in the tables")
     paths: bool = flag(
         "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
-    )
-    to: str | None = option(
-        "FILE", "also write the profile into a file, which speedscope and Perfetto open", suffixes=SUFFIXES
     )
 
     @property
@@ -68,10 +62,3 @@ examples:
             lines = paths_table(paths(result.trace)).lines(width, colour=colour, everything=self.all)
             shown = "\n".join([*lines, "", shown])
         return shown
-
-    def after(self, result: Result) -> int:
-        to = self.to
-        if to is None:
-            return 0
-        sys.stdout.flush()
-        return written(to, lambda: write_profile(TimeProfile(result), to))
