@@ -59,7 +59,6 @@ def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Pat
 # Uses that need numpy among those that need no extra, and some more: by the option or command in the message.
 WITHOUT_NUMPY = {
     "improve move.mnt --set axis.0.limits.speed=60 --set axis.0.limits.acceleration=600": "motionlang improve",
-    "profile move.mnt --paths": "motionlang profile --paths",
     "trace move.mnt move.csv --rate 100": "motionlang trace",
     "trace move.mnt move.npz": "motionlang trace",
     "run motor.mnt": "this run",

@@ -40,7 +40,6 @@ run loud.mnt --format none --realtime 1000
 run loud.mnt --format json
 run moves.mnt
 profile moves.mnt --all
-profile moves.mnt --paths
 certify moves.mnt
 run wrong.mnt --format json
 repl loud.mnt

@@ -452,9 +452,7 @@ def _fields(value: object) -> object:
 
 _KINDS: dict[str, Callable[[Generated], str]] = {
     "damaged": _damaged,
-    "table": lambda program: _said(
-        "profile", program, "--paths", *(["--all"] if program.seed // 4 % 2 else [])
-    ),
+    "table": lambda program: _said("profile", program, *(["--all"] if program.seed // 4 % 2 else [])),
     "editor": _editor,
     "trace": _traced,
     "fault": _fault,

@@ -11,7 +11,6 @@ from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.profile.profile import TimeProfile
 from motionlang.commands.profile.view import profile_document, render_profile
 from motionlang.kernel import Run as Result
-from motionlang.kernel.tools import need
 from motionlang.views.table import Document
 
 
@@ -26,17 +25,10 @@ examples:
   motionlang profile pick.mnt --all
 """
     all: bool = flag("list every move, phase and line in the tables")
-    paths: bool = flag(
-        "list the paths of several axes: length, path speed, corner angle and the reason for each stop"
-    )
 
     @property
     def lists_all(self) -> bool:
         return self.all
-
-    def prepare(self) -> None:
-        if self.paths:
-            need("motionlang profile --paths", "numpy")
 
     def extend(self, result: Result) -> None:
         within_budget(result)
@@ -45,20 +37,9 @@ examples:
         self.show(self.document(result), "")
 
     def document(self, result: Result) -> Document:
-        made = profile_document(TimeProfile(result))
-        if not self.paths:
-            return made
-        from motionlang.commands.profile.paths import paths, paths_table
-
-        return Document([paths_table(paths(result.trace)), *made.tables], made.values)
+        return profile_document(TimeProfile(result))
 
     def conclusion(self, result: Result, *, width: int, colour: bool) -> str:
         if not self.shows(result):
             return ""
-        shown = render_profile(TimeProfile(result), width=width, colour=colour, everything=self.all)
-        if self.paths:
-            from motionlang.commands.profile.paths import paths, paths_table
-
-            lines = paths_table(paths(result.trace)).lines(width, colour=colour, everything=self.all)
-            shown = "\n".join([*lines, "", shown])
-        return shown
+        return render_profile(TimeProfile(result), width=width, colour=colour, everything=self.all)
