@@ -9,13 +9,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from os.path import expanduser
 from textwrap import wrap
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from motionlang.commands.help.view import listing, page
 from motionlang.kernel import (
     ONE_SHIFT,
     Diagnostic,
-    ProgramError,
     Rejected,
     Run,
     Source,
@@ -32,12 +31,10 @@ from motionlang.views.figure_files import write_figure
 from motionlang.views.report import render
 
 if TYPE_CHECKING:
-    from motionlang.commands.improve import Improvement
     from motionlang.repl.session import Session
 
 Obey = Callable[["Session", str], None]
 
-Found = TypeVar("Found")
 # A space at which no line is wrapped.
 _FIXED = "\u00a0"
 _MORE = ".help input explains a group, .help .run a command, .help WORD a keyword."
@@ -273,60 +270,6 @@ def _switches_to(name: str) -> Obey:
     return switch
 
 
-def _of_file(session: Session, path: str, work: Callable[[str], Found]) -> Found | None:
-    """Return what is found about a program in a file; None if that is not possible, which is reported."""
-    try:
-        return work(expanduser(path))
-    except OSError as error:
-        _wrong(session, "file", f"{path} cannot be read: {reason(error)}")
-    except ValueError as error:
-        _wrong(session, "language", str(error))
-    except ProgramError as error:
-        session.trouble(error.diagnostics)
-    return None
-
-
-# What plays programs is imported when it is asked for: it is a fifth of the package.
-
-
-def _improve(session: Session, path: str) -> None:
-    from motionlang.commands.improve import NotPossible, improver_of
-    from motionlang.commands.improve.view import improvement_lines
-
-    def improved(file: str) -> Improvement | None:
-        try:
-            return improver_of(file).improved()
-        except NotPossible as error:
-            _wrong(session, error.code, error.message, error.hint)
-            return None
-
-    found = _of_file(session, path, improved)
-    if found is not None:
-        lines = improvement_lines(found, path, width=session.width, colour=session.colour)
-        session.write("\n".join(lines) + "\n")
-
-
-def _cover(session: Session, path: str) -> None:
-    from motionlang.commands.cover import covered
-    from motionlang.commands.cover import view as coverage
-
-    found = _of_file(session, path, covered)
-    if found is None:
-        return
-    table = coverage.files_table([found]).lines(session.width, colour=session.colour)
-    lines = [*coverage.listing(found, session.colour), "", *table]
-    session.write("\n".join(lines) + "\n")
-
-
-def _map(session: Session, path: str) -> None:
-    from motionlang.commands.map.program_map import mapped
-    from motionlang.commands.map.view.text import render as render_map
-
-    found = _of_file(session, path, mapped)
-    if found is not None:
-        session.write(render_map(found, width=session.width, colour=session.colour))
-
-
 def _quit(session: Session, _: str) -> None:
     session.over = True
 
@@ -380,11 +323,6 @@ GROUPS: dict[str, tuple[PromptCommand, ...]] = {
             "[FILE]",
             "Chart the velocities so far, or draw everything into a .png or .svg file.",
             _plot,
-        ),
-        PromptCommand("map", "FILE", "Show what a program does: channels, axes, structure, states.", _map),
-        PromptCommand("cover", "FILE", "Run a program in all its worlds, and list what it reaches.", _cover),
-        PromptCommand(
-            "improve", "FILE", "Find a shorter cycle of a program within the machine's limits.", _improve
         ),
     ),
     "debug": (
