@@ -425,7 +425,7 @@ def _answers(page: Page, draw: Draw) -> Iterator[object]:
         begin, end = edit.span
         laid_out = laid_out[:begin] + edit.text + laid_out[end:]
     yield from laid_out.split("\n")
-    yield list(tokens(page, 1, page.text.count("\n") + 1))
+    yield list(tokens(page))
     for _ in range(8):
         offset = draw.randrange(len(page.text) + 1)
         yield (

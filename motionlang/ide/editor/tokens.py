@@ -61,19 +61,16 @@ def _words(language: str, line: str) -> tuple[tuple[int, int, str, str], ...]:
     return tuple(found)
 
 
-def tokens(page: Page, first: int, last: int) -> Iterator[tuple[int, int, int, int, int]]:
-    """Yield line, column, length, type and modifiers of the words in some lines.
+def tokens(page: Page) -> Iterator[tuple[int, int, int, int, int]]:
+    """Yield line, column, length, type and modifiers of the words; lines and columns count from 0.
 
-    The lines are `first` to `last`, counted from 1; positions in the result count from 0. A name has the kind of
-    the definition with its spelling.
+    A name has the kind of the definition with its spelling.
     """
     kinds: dict[str, str] = {}
     for each in page.names.definitions:
         kinds.setdefault(each.name.lower(), each.kind)
-    start = page.offset(first, 1)
-    lines = page.text[start : page.line_of(page.offset(last, 1))[1]].split("\n")
     language = page.language.name
-    for number, line in enumerate(lines, first - 1):
+    for number, line in enumerate(page.text.split("\n")):
         for column, length, kind, name in _words(language, line):
             kind = kinds.get(name, kind) if name else kind
             type_number = _NUMBERS.get(kind)

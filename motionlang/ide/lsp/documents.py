@@ -90,11 +90,6 @@ class OpenDocument:
         """Return the range between two offsets in the source."""
         return types.Range(self.position(span[0]), self.position(span[1]))
 
-    @property
-    def last_line(self) -> int:
-        """The number of the last line, counted from 1."""
-        return len(self._line_starts())
-
     def _line_starts(self) -> list[int]:
         if self._starts is None:
             self._starts = [0, *accumulate([len(line) + 1 for line in self.text.split("\n")[:-1]])]

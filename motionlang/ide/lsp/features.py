@@ -270,9 +270,6 @@ class _Display(_Feature):
 
     def __init__(self, server: EditorServer) -> None:
         super().__init__(server)
-        # The latest tokens of each text, for the difference to them.
-        self._sent: dict[str, tuple[str, list[int]]] = {}
-        self._number = 0
         self._lenses: list[str] = []
 
     def register(self) -> None:
@@ -280,8 +277,6 @@ class _Display(_Feature):
         self.on(types.INITIALIZED, self.watch)
         self.on(types.TEXT_DOCUMENT_FOLDING_RANGE, self.folding)
         self.on(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, self.tokens, LEGEND)
-        self.on(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA, self.changed_tokens, LEGEND)
-        self.on(types.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, self.tokens_of_range, LEGEND)
         self.on(types.TEXT_DOCUMENT_INLAY_HINT, self.hints)
         self.on(types.TEXT_DOCUMENT_CODE_LENS, self.lenses)
         self.on(types.WORKSPACE_DID_CHANGE_WATCHED_FILES, self.files_changed)
@@ -321,43 +316,14 @@ class _Display(_Feature):
         ]
 
     def tokens(self, params: types.SemanticTokensParams) -> Waiting[types.SemanticTokens]:
-        return self._whole((yield from self.named(params)))
-
-    def changed_tokens(
-        self, params: types.SemanticTokensDeltaParams
-    ) -> Waiting[types.SemanticTokens | types.SemanticTokensDelta]:
         found = yield from self.named(params)
-        name, before = self._sent.get(params.text_document.uri, ("", []))
-        whole = self._whole(found)
-        if not name or name != params.previous_result_id:
-            return whole
-        edit = _difference(before, list(whole.data))
-        return types.SemanticTokensDelta([edit] if edit is not None else [], whole.result_id)
+        return types.SemanticTokens([] if found is None else self._data(*found))
 
-    def tokens_of_range(self, params: types.SemanticTokensRangeParams) -> Waiting[types.SemanticTokens]:
-        found = yield from self.named(params)
-        if found is None:
-            return types.SemanticTokens([])
-        last = min(params.range.end.line + 1, found[0].document.last_line)
-        return types.SemanticTokens(self._data(*found, min(params.range.start.line + 1, last), last))
-
-    def _whole(self, found: tuple[Known, Page] | None) -> types.SemanticTokens:
-        if found is None:
-            return types.SemanticTokens([])
-        document = found[0].document
-        data = self._data(*found, 1, document.last_line)
-        return types.SemanticTokens(data, self._remember(document.uri, data))
-
-    def _remember(self, uri: str, data: list[int]) -> str:
-        self._number += 1
-        self._sent[uri] = str(self._number), data
-        return str(self._number)
-
-    def _data(self, known: Known, page: Page, first: int, last: int) -> list[int]:
+    def _data(self, known: Known, page: Page) -> list[int]:
         """Return tokens as numbers, each position relative to the previous token."""
         data: list[int] = []
         line = column = 0
-        for at, start, length, kind, modifiers in tokens(page, first, last):
+        for at, start, length, kind, modifiers in tokens(page):
             text = known.document.source.line(at + 1)
             if not text.isascii():
                 length = units(text[start : start + length])
@@ -412,20 +378,6 @@ class _Display(_Feature):
     def files_changed(self, params: types.DidChangeWatchedFilesParams) -> None:
         """Check the programs again with the machine files on disk."""
         self.session.machine_changed()
-
-
-def _difference(before: list[int], after: list[int]) -> types.SemanticTokensEdit | None:
-    """Return the single edit between two lists, None if they are equal."""
-    if before == after:
-        return None
-    same = 0
-    limit = min(len(before), len(after))
-    while same < limit and before[same] == after[same]:
-        same += 1
-    tail = 0
-    while tail < limit - same and before[-1 - tail] == after[-1 - tail]:
-        tail += 1
-    return types.SemanticTokensEdit(same, len(before) - same - tail, after[same : len(after) - tail])
 
 
 def _before(one: types.Position, other: types.Position) -> bool:

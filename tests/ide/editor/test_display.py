@@ -20,7 +20,7 @@ def kinds(text: str, language: str = "mint") -> list[tuple[str, str]]:
     lines = shown.text.split("\n")
     return [
         (lines[line][column : column + length], TYPES[kind])
-        for line, column, length, kind, _ in tokens(shown, 1, len(lines))
+        for line, column, length, kind, _ in tokens(shown)
     ]
 
 
@@ -34,18 +34,6 @@ def test_a_word_has_the_kind_of_its_definition() -> None:
     assert ("' up", "comment") in found
 
 
-def test_tokens_of_some_lines_are_those_of_the_whole_text() -> None:
-    """Also if the first or the last of the lines is empty."""
-    shown = page("Dim a\n\nGO(0)\n\nSTOP(1)\n")
-    found = list(tokens(shown, 1, 6))
-    assert {line for line, *_ in found} == {0, 2, 4}
-    for first in range(1, 6):
-        for last in range(first, 6):
-            assert list(tokens(shown, first, last)) == [
-                each for each in found if first <= each[0] + 1 <= last
-            ]
-
-
 def test_a_macro_file_has_axes_commands_and_registers() -> None:
     assert kinds("1MR@10 ; go\n", "mccl") == [
         ("1", "number"), ("MR", "function"), ("@10", "variable"), ("; go", "comment"),
@@ -53,7 +41,7 @@ def test_a_macro_file_has_axes_commands_and_registers() -> None:
 
 
 def test_a_constant_is_read_only() -> None:
-    (first,) = (each for each in tokens(page("Const top = 3\n"), 1, 1) if each[1] == 6)
+    (first,) = (each for each in tokens(page("Const top = 3\n")) if each[1] == 6)
     assert first[4] == 1 << MODIFIERS.index("readonly")
 
 
@@ -64,7 +52,7 @@ def test_each_word_has_its_modifiers() -> None:
     lines = shown.text.split("\n")
     found = {
         lines[line][column : column + length]: [MODIFIERS[bit] for bit in range(8) if bits >> bit & 1]
-        for line, column, length, _, bits in tokens(shown, 1, len(lines))
+        for line, column, length, _, bits in tokens(shown)
         if length > 1
     }
     assert found == {

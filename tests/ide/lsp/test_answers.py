@@ -225,43 +225,6 @@ def test_semantic_tokens_count_from_the_previous_token() -> None:
     assert places == [(0, 0, 5), (0, 6, 1), (0, 4, 5), (0, 6, 1), (2, 0, 5), (0, 6, 4), (0, 6, 1)]
 
 
-def test_tokens_that_have_not_changed_are_an_empty_difference() -> None:
-    """A difference to other tokens than the last ones is the whole list."""
-
-    async def whole() -> list[Any]:
-        wire = Wire()
-        wire.request("first", "initialize", INITIALIZE)
-        item = {"uri": URI, "languageId": "mint", "version": 1, "text": "Print 1\n"}
-        wire.notify("textDocument/didOpen", {"textDocument": item})
-        document = {"textDocument": {"uri": URI}}
-        wire.request(1, "textDocument/semanticTokens/full/delta", {**document, "previousResultId": "1"})
-        wire.request(2, "textDocument/semanticTokens/full/delta", {**document, "previousResultId": "1"})
-        wire.request(3, "textDocument/semanticTokens/full/delta", {**document, "previousResultId": "1"})
-        await wire.settled()
-        return [wire.answers()[number][0]["result"] for number in (1, 2, 3)]
-
-    first, second, third = asyncio.run(whole())
-    data = [0, 0, 5, 0, 0, 0, 6, 1, 9, 0]
-    assert first == {"data": data, "resultId": "1"}
-    assert second == {"edits": [], "resultId": "2"}
-    assert third == {"data": data, "resultId": "3"}
-
-
-@pytest.mark.parametrize(
-    ("lines", "places"),
-    [
-        (span(1, 0, 3), [(1, 0, 5), (0, 6, 1)]),
-        (span(0, 0, 0, 1), [(0, 0, 5), (0, 6, 1), (1, 0, 5), (0, 6, 1)]),
-        (span(2, 0, 3, 9), [(2, 0, 5), (0, 6, 1)]),
-        (span(8, 0, 3, 9), [(2, 0, 5), (0, 6, 1)]),
-    ],
-)
-def test_semantic_tokens_of_some_lines(lines: dict[str, Any], places: list[tuple[int, ...]]) -> None:
-    """Lines beyond the end are the last one."""
-    data = ask("Print 1\nPrint 2\nPrint 3", "semanticTokens/range", range=lines)["data"]
-    assert [tuple(data[k : k + 3]) for k in range(0, len(data), 5)] == places
-
-
 @pytest.mark.parametrize(
     ("options", "titles"),
     [

@@ -12,7 +12,6 @@ from lsprotocol import types
 
 from motionlang.ide.lsp.convert import diagnostic
 from motionlang.ide.lsp.documents import OpenDocument, characters
-from motionlang.ide.lsp.features import _difference as difference
 from motionlang.kernel import Diagnostic
 from tests.ide.lsp.test_answers import span
 from tests.ide.lsp.wire import URI
@@ -85,7 +84,6 @@ def test_positions_of_offsets(end: str) -> None:
     for line, character, offset in ((0, 9, 2), (1, 9, 5), (9, 0, 6), (2, 5, 6)):
         assert document.offset(types.Position(line, character)) == offset
     assert [document.source_offset(line) for line in (1, 2, 3, 4)] == [0, 3, 6, 6]
-    assert document.last_line == 3
 
 
 def test_a_position_behind_an_empty_line_is_its_end() -> None:
@@ -99,19 +97,3 @@ def test_a_position_behind_an_empty_line_is_its_end() -> None:
 )
 def test_the_file_name_of_a_text(uri: str, name: str) -> None:
     assert OpenDocument(uri, "", 1).name == name
-
-
-def test_the_edit_between_two_lists_of_tokens() -> None:
-    """The equal beginning and end are not sent, and a number is in one of both only."""
-    for before, after, wanted in (
-        ([1, 2, 3], [1, 2, 3], None),
-        ([1, 2, 3], [1, 9, 3], (1, 1, [9])),
-        ([1, 2, 3], [1, 3], (1, 1, [])),
-        ([1, 3], [1, 2, 3], (1, 0, [2])),
-        ([1, 1], [1, 1, 1], (2, 0, [1])),
-        ([], [1], (0, 0, [1])),
-        ([1, 2], [], (0, 2, [])),
-        ([1, 2], [3, 4], (0, 2, [3, 4])),
-    ):
-        found = difference(before, after)
-        assert (None if found is None else (found.start, found.delete_count, found.data)) == wanted

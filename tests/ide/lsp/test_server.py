@@ -224,29 +224,3 @@ def test_lenses_are_for_editors_that_have_their_commands(in_one_server: InOneSer
         assert [each.command.title for each in lenses or () if each.command] == ["run", "debug"]
 
     in_one_server(work, tmp_path / "a.mnt")
-
-
-def test_tokens_are_sent_whole_and_as_a_difference(in_one_server: InOneServer, tmp_path: Path) -> None:
-    async def work(client: Editor) -> None:
-        await client.open("Print 1\nPrint 2\n")
-        server = client.client
-        whole = await server.text_document_semantic_tokens_full_async(
-            types.SemanticTokensParams(client.document)
-        )
-        assert whole is not None
-        assert whole.result_id is not None
-        await client.change(insertion(1, 7, "3"))
-        delta = await server.text_document_semantic_tokens_full_delta_async(
-            types.SemanticTokensDeltaParams(client.document, whole.result_id)
-        )
-        assert isinstance(delta, types.SemanticTokensDelta)
-        (edit,) = delta.edits
-        data = list(whole.data)
-        data[edit.start : edit.start + edit.delete_count] = edit.data or ()
-        again = await server.text_document_semantic_tokens_full_async(
-            types.SemanticTokensParams(client.document)
-        )
-        assert again is not None
-        assert data == list(again.data)
-
-    in_one_server(work, tmp_path / "a.mnt")

@@ -35,8 +35,7 @@ REQUESTS = (
     "textDocument/hover", "textDocument/definition", "textDocument/references", "textDocument/documentHighlight",
     "textDocument/prepareRename", "textDocument/rename", "textDocument/documentSymbol", "textDocument/completion",
     "textDocument/signatureHelp", "textDocument/codeAction", "textDocument/formatting", "textDocument/foldingRange",
-    "textDocument/semanticTokens/full", "textDocument/semanticTokens/full/delta",
-    "textDocument/semanticTokens/range", "textDocument/inlayHint", "textDocument/codeLens",
+    "textDocument/semanticTokens/full", "textDocument/inlayHint", "textDocument/codeLens",
     "workspace/executeCommand", "workspace/symbol", "no/suchMethod", "",
 )  # fmt: skip
 NOTIFICATIONS = (
