@@ -457,8 +457,8 @@ _KINDS: dict[str, Callable[[Generated], str]] = {
     "trace": _traced,
     "fault": _fault,
     "certify": lambda program: _said("certify", program),
-    "points": lambda program: _written(
-        _said("trace", program, "p.csv", "--points", "200", "--rate", "50"), "p.csv"
+    "columns": lambda program: _written(
+        _said("trace", program, "p.csv", "--columns", "position,jerk", "--rate", "50"), "p.csv"
     ),
     "diff": _diff,
     "picture": lambda program: _written(_said("plot", program, "a.html"), "a.html"),

@@ -16,8 +16,6 @@ from motionlang.views.progress import Progress
 
 TRACES = (".csv", ".npz", ".parquet")
 RATE = 1000.0
-# TN1069: trajectory points per second, and samples of the loop that interpolates linearly between them.
-TRAJECTORY_RATE, SERVO_RATE = 1000.0, 4000.0
 # What a value takes in a file, in bytes, and the size from which a trace says how large it becomes.
 BYTES, LARGE = 10, 100e6
 HERTZ = real("a rate above 0 and up to 10,000,000 samples per second", 0.0, 10e6, above=True)
@@ -31,26 +29,16 @@ class TraceCommand(RunToFile):
     epilog: ClassVar[str] = """\
 examples:
   motionlang trace pick.mnt pick.csv --rate 500 --columns position,velocity.0
-  motionlang trace pick.mcl pick.csv --points
   motionlang trace pick.mnt log.csv --columns position --channels   as a logger
 """
     out: str = argument("OUT", "the file to write", suffixes=TRACES)
-    rate: float | None = option(
-        "HZ", f"samples per second ({RATE:.10g}; with --points {SERVO_RATE:.10g})", read=HERTZ
-    )
+    rate: float = option("HZ", f"samples per second ({RATE:.10g})", read=HERTZ, default=RATE)
     columns: list[str] | None = option(
         "NAME,…",
         "the columns in addition to time, for every axis or for one, such as position,velocity.0",
         read=columns,
     )
     channels: bool = flag("add a column for each input and output, such as in3, out9 and ain0")
-    points: float | None = option(
-        "HZ",
-        "trace the trajectory points of the controller, joined by straight lines, as the servo loop receives them, "
-        f"instead of the exact curve; HZ defaults to {TRAJECTORY_RATE:.10g}, as on PMC's MultiFlex boards",
-        read=HERTZ,
-        const=TRAJECTORY_RATE,
-    )
 
     def prepare(self) -> None:
         super().prepare()
@@ -59,10 +47,9 @@ examples:
     def write(self, result: Result) -> None:
         from motionlang.commands.trace.export import write_trace
 
-        trace = result.trace if self.points is None else result.trace.as_controller(self.points)
+        trace, rate = result.trace, self.rate
         if self.columns is not None:
             trace.choose(self.columns)
-        rate = self.rate or (RATE if self.points is None else SERVO_RATE)
         size = trace.rows(rate) * len(trace.columns()) * BYTES
         if size > LARGE:
             sys.stderr.write(f"note: {trace.rows(rate):,} rows, some {size / 1e6:,.0f} MB\n")

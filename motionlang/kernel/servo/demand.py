@@ -13,13 +13,9 @@ from collections.abc import Sequence
 from copy import copy
 from itertools import pairwise
 from math import ceil, floor
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
 from motionlang.kernel.planners import Profile
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
 
 # The last cycle of an endless profile.
 FOR_EVER = 1 << 62
@@ -108,15 +104,6 @@ class Generator:
         while self._since[k] > profile:
             k -= 1
         return self._offsets[k]
-
-    def offsets(self, first: int, past: int) -> NDArray[np.float64]:
-        """Return the offsets of the profiles from `first` to `past` (exclusive)."""
-        import numpy as np
-
-        self.offset(past - 1)
-        indices = np.searchsorted(np.array(self._since), np.arange(first, past), "right") - 1
-        made: NDArray[np.float64] = np.array(self._offsets)[indices]
-        return made
 
     def _get_to_know(self, profile: int) -> None:
         known = self._known

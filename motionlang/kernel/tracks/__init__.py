@@ -1,4 +1,4 @@
-"""Readers of the tracks of the axes: trace, motors, trajectory points."""
+"""Readers of the tracks of the axes: trace and motors."""
 
 from __future__ import annotations
 

@@ -19,7 +19,6 @@ from motionlang.kernel.planners.sample import ORDERS, PieceTable
 from motionlang.kernel.tools import in_notebook
 from motionlang.kernel.tracks.axes import axes_of
 from motionlang.kernel.tracks.history import Reader
-from motionlang.kernel.tracks.trajectory_points import AT_ONCE, TrajectoryPoints
 
 # Numbers of a column.
 Array = NDArray[np.float64]
@@ -246,13 +245,6 @@ class Trace:
                 self._fill(columns, tuple(values[-1:] for values in data), end, 1.0 / rate, 1)
             yield Samples(columns, data)
 
-    def as_controller(self, trajectory_rate: float = 1000.0) -> Trace:
-        """Return the motion as the controller computes it: points joined by lines.
-
-        There are `trajectory_rate` points per second.
-        """
-        return Commanded(self.controller, trajectory_rate)
-
     def table(self, axis: int) -> PieceTable:
         """Return the pieces of an axis's motion, in counts; they are computed once."""
         if axis not in self._tables:
@@ -304,50 +296,6 @@ class Trace:
             self.to_user(axis, "position", out)
         elif quantity == "following error":
             self.to_user(axis, "velocity", out)  # a difference, which has no zero
-
-
-class Commanded(Trace):
-    """A trace of the commands to the servo loop, up to one cycle after the run's end.
-
-    Velocity, acceleration and jerk are the differences of the points over one, two and three cycles.
-    """
-
-    def __init__(self, controller: Controller, trajectory_rate: float = 1000.0) -> None:
-        super().__init__(controller)
-        self.trajectory_rate = trajectory_rate
-        self._points: dict[int, TrajectoryPoints] = {}
-        self.end = (ceil(self.end * trajectory_rate - AT_ONCE) + 1) / trajectory_rate
-
-    def _fill(
-        self, columns: Sequence[TraceColumn], data: Sequence[Array], start: float, step: float, count: int
-    ) -> None:
-        times = start + np.arange(count, dtype=np.float64) * step
-        cycles = times * self.trajectory_rate
-        whole = np.floor(cycles + AT_ONCE).astype(np.int64)
-        first, last = int(whole[0]) - 2, int(whole[-1]) + 1
-        known: dict[int, Array] = {}
-        for column, out in zip(columns, data, strict=True):
-            if column.axis is None:
-                continue
-            if column.quantity in MOTOR:
-                self._fill_motor(column.axis, column.quantity, start, step, count, out)
-                continue
-            points = self._of(column.axis)
-            if column.axis not in known:
-                known[column.axis] = points.between(first, last)
-            order = ORDERS[column.quantity]
-            if order:
-                differences = np.diff(known[column.axis], order)[3 - order :]
-                np.multiply(differences[whole - whole[0]], self.trajectory_rate**order, out=out)
-            else:
-                out[:] = np.interp(cycles, np.arange(first, last + 1), known[column.axis])
-                out -= points.renamed(times)
-            self.to_user(column.axis, column.quantity, out)
-
-    def _of(self, axis: int) -> TrajectoryPoints:
-        if axis not in self._points:
-            self._points[axis] = TrajectoryPoints(self.controller.axes[axis], 1.0 / self.trajectory_rate)
-        return self._points[axis]
 
 
 def _last_step(rate: float, end: float) -> int:

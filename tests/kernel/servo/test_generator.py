@@ -69,7 +69,6 @@ def test_a_new_zero_is_no_step_of_the_command() -> None:
     track = Track([0.0, 1.0, 2.0, 3.0], [hold(5.0), hold(2.0), hold(8.0), hold(8.0 + 1e-9)])
     generator = Generator(track, 0.1)
     assert [generator.offset(k) for k in (0, 3, 1, 2)] == [0.0, -3.0, 3.0, -3.0]
-    assert Generator(track, 0.1).offsets(1, 4).tolist() == [3.0, -3.0, -3.0]
     assert generator.points(0, 40) == pytest.approx([5.0] * 40, abs=1e-6)
     assert Generator(track, 0.1).shifts(0, 100, 20.0) == [(0, 0.0), (21, 3.0), (41, -3.0)]
     cases = (
