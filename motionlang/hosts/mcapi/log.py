@@ -12,8 +12,7 @@ end times.
 
 from __future__ import annotations
 
-from array import array
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import BinaryIO
 
@@ -91,60 +90,14 @@ def model_of(file: BinaryIO) -> str:
     raise BadLog(1, f"this is no log of MCAPI: the first line is not {HEAD!r}")
 
 
-def read(file: BinaryIO) -> Iterator[LoggedCall]:
-    """Read the calls in the order of their start times.
+def read(file: BinaryIO) -> list[LoggedCall]:
+    """Return the calls in the order of their start times.
 
-    Raises BadLog at the first line that is not a call. Two passes save memory: the first one finds the lines that
-    come after a call which began later.
+    Raises BadLog at the first line that is not a call.
     """
-    late_begins, late_offsets, late_numbers = _late(file)
-    order = sorted(range(len(late_begins)), key=late_begins.__getitem__)
-    file.seek(0)
-    file.readline()
-    skip = frozenset(late_numbers)
-    at = 0
-    number = 1
-    while True:
-        raw = file.readline()
-        number += 1
-        if raw and number in skip:
-            continue
-        entry = read_entry(_line(raw, number), number) if raw else None
-        while at < len(order) and (entry is None or late_begins[order[at]] < entry.begin):
-            here = file.tell()
-            file.seek(late_offsets[order[at]])
-            late = late_numbers[order[at]]
-            yield read_entry(_line(file.readline(), late), late)
-            file.seek(here)
-            at += 1
-        if entry is None:
-            return
-        yield entry
-
-
-def _late(file: BinaryIO) -> tuple[array[float], array[int], array[int]]:
-    """Return start time, offset and number of the lines that are out of order."""
-    begins, offsets, numbers = array("d"), array("q"), array("q")
     model_of(file)
-    file.seek(0)
-    file.readline()
-    latest, number = -1.0, 1
-    while True:
-        offset = file.tell()
-        raw = file.readline()
-        if not raw:
-            return begins, offsets, numbers
-        number += 1
-        line = _line(raw, number)
-        try:
-            begin = float(line.partition(" ")[0])
-        except ValueError:
-            raise BadLog(number, "this is no call: begin, end, host, call = answer") from None
-        if begin < latest:
-            begins.append(begin)
-            offsets.append(offset)
-            numbers.append(number)
-        latest = max(latest, begin)
+    entries = [read_entry(_line(raw, number), number) for number, raw in enumerate(file, 2)]
+    return sorted(entries, key=lambda entry: entry.begin)
 
 
 def _line(raw: bytes, number: int) -> str:

@@ -10,7 +10,7 @@ end + skew. At rest it must be equal within the tolerance. A blocking call may t
 Data. The track of an axis has its past positions, so a quantity that differs is checked again when machine
 time has passed end + skew. A status word is masked by the bits of motion if the axis moves in that time.
 
-Cost. One pass in constant memory: a check waits for skew seconds at most.
+Cost. One pass over the calls: a check waits for skew seconds at most.
 """
 
 from __future__ import annotations
