@@ -98,7 +98,7 @@ class Panel:
     """One pair of axes; a panel with `lanes` has nothing else.
 
     `title` is above it at the left, `remark` at the right. Without limits the data decides, with a margin above
-    and below. `has_zero` draws a line at 0. `is_equal` gives x and y one scale; `has_frame` draws axes and grid.
+    and below. `has_zero` draws a line at 0. `is_equal` gives x and y one scale.
     """
 
     curves: Sequence[Curve] = ()
@@ -117,7 +117,6 @@ class Panel:
     y_limits: tuple[float, float] | None = None
     has_zero: bool = False
     is_equal: bool = False
-    has_frame: bool = True
 
 
 @dataclass(frozen=True)

@@ -77,8 +77,7 @@ def layout(figure: Figure) -> tuple[float, float, list[Item]]:
             ends.append(box)
         top += height + 5.0
     for box in ends:
-        if box.panel.has_frame:
-            items += box.times(figure.x_label)
+        items += box.times(figure.x_label)
     if figure.scale is not None:
         items += _scale(figure, ends[0])
     return figure.width, top + 30.0, items
@@ -110,7 +109,7 @@ def _side(figure: Figure) -> float:
 def _names(panel: Panel) -> list[str]:
     if panel.lanes:
         return [lane.name for lane in panel.lanes]
-    return _up_ticks(_limits(panel), panel.height).names if panel.has_frame else [""]
+    return _up_ticks(_limits(panel), panel.height).names
 
 
 def _above(panel: Panel) -> float:
@@ -210,8 +209,7 @@ class _Axes:
             high = 16.0 if panel.labels or panel.remark else 6.0
             yield TextLine(self.left, self.top - high, panel.title, 10.0, side="start", is_bold=True)
         yield from self._shades()
-        if panel.has_frame:
-            yield from self._grid(has_names=has_names)
+        yield from self._grid(has_names=has_names)
         for area in panel.areas:  # with an edge, so that no gap is visible between two
             points = [(self.at(x), self.height(y)) for x, y in zip(area.x, area.y, strict=True)]
             yield Shape([points], area.colour, 0.5, fill=area.colour)
@@ -220,9 +218,8 @@ class _Axes:
         yield from self._lanes()
         for curve in panel.curves:
             yield from self._curve(curve)
-        if panel.has_frame:
-            frame = ((self.left, self.top), (self.left, self.bottom), (self.right, self.bottom))
-            yield Shape([frame], "#b8c2cc")
+        frame = ((self.left, self.top), (self.left, self.bottom), (self.right, self.bottom))
+        yield Shape([frame], "#b8c2cc")
         if panel.remark:
             yield TextLine(self.right, self.top - 3.0, panel.remark, 7.5, FAINT, "end")
         yield from self._labels()

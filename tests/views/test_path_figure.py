@@ -82,15 +82,6 @@ def test_a_line_is_named_once_and_forty_of_them_at_most() -> None:
     assert named(run(Source("a.mnt", lines))) == [f"line {k}" for k in range(2, 42)]
 
 
-def test_a_path_in_space_has_a_box_with_the_names_of_its_axes(twice: Run) -> None:
-    made = run(Source("a.mnt", TWICE + "MOVER(2) = 7 : GO(2)\n"))
-    ((panel,),) = path_figure(made, (0, 1, 2)).rows
-    texts = [note.text for note in panel.notes]
-    assert [text for text in texts if "axis" in text] == ["axis 0 (uu)", "axis 1 (uu)", "axis 2 (uu)"]
-    assert (len(panel.areas), panel.has_frame) == (3, False)
-    assert not any("line" in text for text in texts)
-
-
 def test_axes_at_rest_are_a_point() -> None:
     """The colours go from 0 to 1 uu/s then."""
     made, controller = new_run()

@@ -44,7 +44,9 @@ examples:
         "N,…", "the axes to show, such as 0,2; default: all that moved", read=axes
     )
     path: tuple[int, ...] | None = option(
-        "X,Y", "draw the path of two or three axes, coloured by speed, instead of curves over time", read=path
+        "X,Y",
+        "draw the path of two axes, in an .html page also of three, coloured by speed, instead of curves over time",
+        read=path,
     )
 
     def prepare(self) -> None:
@@ -62,6 +64,8 @@ examples:
             if self.file == STDIN:
                 raise WrongOption("a program from standard input needs an OUT, such as motion.html")
             self.out, self._names_file = f"{os.path.splitext(self.file)[0]}.html", True
+        if self.path is not None and len(self.path) > 2 and not self.out.lower().endswith(".html"):
+            raise WrongOption("--path draws three axes in an .html page only")
         if self.to is not None and self.to <= (self.from_ or 0.0):
             raise WrongOption("--to must be after --from")
 

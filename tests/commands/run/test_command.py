@@ -124,6 +124,7 @@ def test_a_page_and_an_svg_need_no_matplotlib(cell: Cell, monkeypatch: pytest.Mo
         ("trace OUT.txt", "OUT writes .csv, .npz and .parquet, not .txt files"),
         ("plot OUT.html --from 1 --to 1", "--to must be after --from"),
         ("plot OUT.html --path 0", "argument --path: '0' is not a path: give two or three axes, such as 0,1"),
+        ("plot OUT.svg --path 0,1,2", "--path draws three axes in an .html page only"),
         ("plot OUT", "OUT writes .png, .svg and .html, so the file needs one of these extensions"),
         (
             "run --realtime 0",
