@@ -6,12 +6,10 @@ import os
 import shutil
 import signal
 import subprocess
-import sys
 import threading
 from collections.abc import Callable, Mapping
 from contextlib import ExitStack
 from dataclasses import dataclass
-from glob import glob
 from pathlib import Path
 from typing import ClassVar
 
@@ -28,11 +26,6 @@ from motionlang.kernel import Diagnostic
 
 # Exit statuses of a shell.
 NOT_EXECUTABLE, NOT_FOUND, KILLED = 126, 127, 128
-FAKETIME = (
-    "/usr/lib/*/faketime/libfaketime.so.1",
-    "/usr/*/lib/faketime/libfaketime.so.1",
-    "/usr/lib/faketime/libfaketime.so.1",
-)
 
 
 @dataclass
@@ -69,7 +62,7 @@ examples:
             if opened is None:
                 return 1
             say(opened)
-            own = {**os.environ, **environment(os.environ, shown(*address), path, self.factor)}
+            own = {**os.environ, **environment(os.environ, shown(*address), path)}
             return _run(server, self.program, own)
 
 
@@ -89,23 +82,10 @@ def library(target: str = "linux") -> Path:
     )
 
 
-def environment(
-    own: Mapping[str, str], address: str, library: Path, factor: float | None = None
-) -> dict[str, str]:
+def environment(own: Mapping[str, str], address: str, library: Path) -> dict[str, str]:
     """Return the variables by which a program finds the board and the library; `own` has the present ones."""
     found: dict[str, str] = {"MCAPI_HOST": address} if address else {}
-    preload = [str(library)]
-    if factor is not None:
-        fake = next((path for pattern in FAKETIME for path in sorted(glob(pattern))), None)
-        if fake is None:
-            print(
-                "motionlang mcapi: libfaketime is not installed: the clock of the program runs at its own speed",
-                file=sys.stderr,
-            )
-        else:
-            preload.append(fake)
-            found["FAKETIME"] = f"+0 x{factor:.10g}"
-    found["LD_PRELOAD"] = ":".join([*preload, *filter(None, [own.get("LD_PRELOAD")])])
+    found["LD_PRELOAD"] = ":".join([str(library), *filter(None, [own.get("LD_PRELOAD")])])
     found["LD_LIBRARY_PATH"] = ":".join([str(library.parent), *filter(None, [own.get("LD_LIBRARY_PATH")])])
     return found
 

@@ -123,26 +123,6 @@ def test_the_board_is_that_of_the_options(cache: Path) -> None:
 
 
 @needs_compiler
-@pytest.mark.skipif(
-    not any(Path("/usr/lib").glob("*/faketime/libfaketime.so.1")), reason="libfaketime is not installed"
-)
-def test_the_clock_of_the_host_runs_as_fast_as_the_board(cache: Path) -> None:
-    """At 20 × real time.
-
-    A host that sleeps for 10 s of its own time sees 10 s of the board pass in half a second. The axis is then at
-    10 000, or a little less if this computer was too slow; if only the host were fast, it would be at 500.
-    """
-    code = (
-        "import time; from ctypes import *; l = CDLL(None); h = l.MCOpen(0, 2, None); p = c_double();"
-        "l.MCEnableAxis(h, 1, 1); l.MCSetOperatingMode(h, 1, 0, 4); l.MCSetVelocity(h, 1, c_double(1000.0));"
-        "l.MCGoEx(h, 1, c_double(0)); time.sleep(10.0); l.MCGetPositionEx(h, 1, byref(p));"
-        "print(2000.0 < p.value)"
-    )
-    done = motionlang(cache, "run", "--factor", "20", "--", sys.executable, "-c", code)
-    assert done.stdout == "True\n"
-
-
-@needs_compiler
 def test_a_program_linked_with_the_library(cache: Path, chost: Path, tmp_path: Path) -> None:
     """The program loads libmcapi-4.4.1.so, which is found by LD_LIBRARY_PATH."""
     log = tmp_path / "c.log"
