@@ -325,12 +325,6 @@ class Adapter:
     def _do_reverseContinue(self, given: Arguments) -> None:  # noqa: N802 - a name of the protocol
         self._go(self._debugger.reverse)
 
-    def _do_goToTime(self, given: Arguments) -> None:  # noqa: N802 - in the style of the protocol
-        time = given.seconds("time")
-        if time is None:
-            raise RequestRefused("time must be a time in seconds")
-        self._go(lambda: self._debugger.go_to_time(time))
-
     def _do_gotoTargets(self, given: Arguments) -> Body:  # noqa: N802 - a name of the protocol
         return {"targets": self._breaking.targets(given)}
 
@@ -344,10 +338,6 @@ class Adapter:
     def _do_completions(self, given: Arguments) -> Body:
         found = [] if self.phase == RUNNING else self._showing.completions(given, _COMMANDS)
         return {"targets": found}
-
-    def _do_lastChange(self, given: Arguments) -> None:  # noqa: N802 - in the style of the protocol
-        path = self._showing.path_of(given.text("name"))
-        self._go(lambda: self._debugger.last_change(path))
 
     def _do_pause(self, given: Arguments) -> None:
         if self.phase == RUNNING:
@@ -421,7 +411,8 @@ class Adapter:
             self._go(destination(self._debugger, rest))
             return ""
         if word == "changed" and rest.strip():
-            self._do_lastChange(Arguments({"name": rest.strip()}))
+            path = self._showing.path_of(rest.strip())
+            self._go(lambda: self._debugger.last_change(path))
             return ""
         if word == "help":
             return _CONSOLE_HELP

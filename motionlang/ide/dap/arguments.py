@@ -45,11 +45,11 @@ class Arguments:
             raise RequestRefused(f"{name} must be a whole number")
         return value
 
-    def seconds(self, name: str, default: float | None = None) -> float | None:
-        """Return a time, s, or the default."""
+    def seconds(self, name: str) -> float | None:
+        """Return a time, s, or None."""
         value = self._values.get(name)
         if value is None:
-            return default
+            return None
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value < 1e9:
             raise RequestRefused(f"{name} must be a time in seconds")
         return float(value)

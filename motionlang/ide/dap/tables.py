@@ -69,8 +69,6 @@ PHASES: dict[str, frozenset[str]] = {
     "stepOut": _STOPPED,
     "stepBack": _STOPPED,
     "reverseContinue": _STOPPED,
-    "goToTime": _STOPPED,
-    "lastChange": _STOPPED,
     "pause": frozenset((RUNNING, STOPPED)),
     "restart": _STOPPED,
     "cancel": _ALWAYS,

@@ -38,8 +38,6 @@ COMMANDS = [
     "stepOut",
     "stepBack",
     "reverseContinue",
-    "goToTime",
-    "lastChange",
     "pause",
     "restart",
     "cancel",

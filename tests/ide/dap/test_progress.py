@@ -72,7 +72,7 @@ def test_a_search_that_is_cancelled_pauses_the_program(
     client.ask("launch", program=str(path))
     client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 10}])
     client.begin()
-    client.ask("lastChange", name="n")
+    client.ask("evaluate", expression=".changed n", context="repl")
     client.wait("progressStart")
     client.ask("cancel")
     stop = client.wait("stopped")

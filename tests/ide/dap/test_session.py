@@ -196,7 +196,7 @@ def test_data_breakpoints_and_the_last_change(client: Client, program: Path) -> 
     stop = client.go("continue")
     assert stop["body"]["reason"] == "data breakpoint"
     assert stop["body"]["text"].startswith("total changes from 0 to 2")
-    stop = client.go("lastChange", name="total")
+    stop = client.go("evaluate", expression=".changed total", context="repl")
     assert client.frames(stop)[0] == ("Add", 5)
 
 
@@ -274,7 +274,7 @@ def test_a_restart_runs_the_new_text_to_the_same_time(client: Client, tmp_path: 
     program.write_text(MOVE)
     client.launch(program, stopOnEntry=True)
     client.begin()
-    client.go("goToTime", time=2.0)
+    client.go("evaluate", expression=".goto 2", context="repl")
     program.write_text(MOVE.replace("= 100", "= 40"))
     stop = client.go("restart")
     assert client.scopes(stop)["Axes"]["axis 0"].startswith("position 40")
