@@ -415,8 +415,9 @@ class Explorer:
         is_stopped = any(
             each.table == "input" and each.number in self.stops and each.value for each in causes
         )
-        # A jog that the loop of a rest begins is a person's, and no work.
-        resting = {self.line(at) for place in target or () for at in place.statements}
+        # A jog that the loop of a rest begins by a button is no work.
+        has_key = any(each.table == "key" for each in causes)
+        resting = {self.line(at) for place in target or () for at in place.statements if not has_key}
         jogging = {each.line for each in part.moves if each.end == inf and each.line in resting}
         fails = is_stopped or any(each.ended == "fault" for each in part.moves)
         self._ask_in_moves(source, visit, causes, trial, since, until)

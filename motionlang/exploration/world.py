@@ -92,7 +92,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     for cycle in _latest_first(explorer, likeliest)[:PLAYED]:
         trial = _best_played(explorer, cycle, times)
         found, often = quality(cycle, trial), count(cycle, trial)
-        is_worse = best is not None and best[0][0] and wrong(cycle.said) > wrong(best[1].said)
+        is_worse = best is not None and best[0][0] and _is_worse(cycle, best[1])
         if best is None or (found > best[0] and cycle.repeats and not is_worse):
             best = found, cycle, trial
         if found >= wanted or (often >= wanted[2] and faults(cycle, trial) * ENOUGH <= often):
@@ -109,6 +109,11 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     _, cycle, trial = best
     trial = _with_more_on(explorer, cycle, trial)
     return _Description(explorer, count(cycle, trial), cycle, trial).world()
+
+
+def _is_worse(cycle: MachineCycle, other: MachineCycle) -> bool:
+    """True if a cycle moves nothing, or says more of what is wrong, and another one does not."""
+    return (not cycle.work and bool(other.work)) or wrong(cycle.said) > wrong(other.said)
 
 
 def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
