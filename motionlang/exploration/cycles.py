@@ -82,13 +82,11 @@ class MachineCycle:
         return tuple(each.source for each in self.transitions)
 
     @property
-    def made(self) -> set[tuple[Channel, object]]:
-        """The changes that lead there and are made in it."""
-        changes = (
-            *(one for _, one in self.visit.timeline),
-            *(one for each in self.transitions for one in each.causes),
-        )
-        return {(each.channel, each.value) for each in changes}
+    def changes(self) -> set[tuple[Channel, object]]:
+        """The channels and values of the changes that lead there and are made in it."""
+        made = [one for _, one in self.visit.timeline]
+        made += [one for each in self.transitions for one in each.causes]
+        return {(each.channel, each.value) for each in made}
 
     @property
     def asked(self) -> list[RestState | None]:

@@ -11,6 +11,7 @@ from math import inf
 
 from motionlang.identification import Entry
 from motionlang.kernel import Run
+from motionlang.kernel.controller import AUXILIARY
 
 # The home switch lies so many seconds of homing ahead, and a tenth of that is its length.
 HOME_AHEAD = 1.0
@@ -56,20 +57,22 @@ class FoundSwitches:
                 continue
             for key in result.dialect.driven_by(wait.why):
                 if key == "encoder":
-                    added.append(
-                        self._turn(result, task.at, "aux" if "AUX" in wait.why.upper() else "channel")
-                    )
+                    added.append(self._turn(result, task.at))
                 if key.startswith("axis."):
                     _, number, setting = key.split(".")
                     added.append(self._put(int(number), result, (setting,)))
         return any(added)
 
-    def _turn(self, result: Run, at: int, which: str) -> bool:
+    def _turn(self, result: Run, at: int) -> bool:
         """Turn the encoders that a wait reads; False if they turn."""
         assert result.program is not None
         found = result.program.structure.waits.at(at)
         read = sorted(number or 0 for kind, number in (found.leaves if found else ()) if kind == "encoder")
-        new: list[Entry] = [{which: each, "velocity": TURNING} for each in read]
+        auxiliary = [AUXILIARY + each in result.controller.encoders for each in read]
+        new: list[Entry] = [
+            {"aux" if is_aux else "channel": each, "velocity": TURNING}
+            for each, is_aux in zip(read, auxiliary, strict=True)
+        ]
         new = [each for each in new if each not in self.encoders and "encoder" not in self._given]
         self.encoders = [*self.encoders, *new]
         return bool(new)

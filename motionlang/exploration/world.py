@@ -139,7 +139,7 @@ def _latest_first(explorer: Explorer, likeliest: Sequence[MachineCycle]) -> Sequ
     """
     if not likeliest or likeliest[0].repeats:
         return likeliest
-    same = [each for each in likeliest if not each.repeats and each.made == likeliest[0].made]
+    same = [each for each in likeliest if not each.repeats and each.changes == likeliest[0].changes]
     trials = [played(explorer, each) for each in same if len(same) > 1]
     if not any(each.end == inf for trial in trials for each in trial.moves):
         return likeliest
@@ -279,17 +279,19 @@ class _Description:
 
     def _holds(self, settings: Settings) -> bool:
         """True if each task does what it did in the played run."""
-        result, begun, found = self._run(settings)
-        if self._trial.status == "ended" and result.status != "ended":
-            return False
-        return begun & self._explorer.handlers <= self._handled and _is_as_good(self._wanted, found)
+        return self._is_kept(*self._run(settings))
 
     def _does_no_more(self, settings: Settings) -> bool:
         """True if the same holds, and other tasks do nothing."""
-        found = self._run(settings)[2]
-        return self._holds(settings) and not any(
-            own and not self._wanted.get(task) for task, own in found.items()
-        )
+        result, begun, found = self._run(settings)
+        others = any(own and not self._wanted.get(task) for task, own in found.items())
+        return not others and self._is_kept(result, begun, found)
+
+    def _is_kept(self, result: Run, begun: set[int], found: Acts) -> bool:
+        """True if a run with these statements and acts does what the played run did."""
+        if self._trial.status == "ended" and result.status != "ended":
+            return False
+        return begun & self._explorer.handlers <= self._handled and _is_as_good(self._wanted, found)
 
     def _does_more(self, settings: Settings) -> bool:
         """True if a run says more than so far, but for what is wrong, and moves as often at least by half.
