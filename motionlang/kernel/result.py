@@ -407,9 +407,10 @@ def _has_ended_before(result: Run, task: Task) -> bool:
 
 
 def _was_fed(result: Run, task: Task, wait: Wait) -> bool:
-    """True if entries of the machine file have changed what a task waits for."""
+    """True if entries of the machine file have changed what a task waits for, or what handlers answer."""
     machine = result.machine
-    tables = result.dialect.driven_by(wait.why)
+    is_called = any(each.kind == "handler" for each in machine.log.events)
+    tables = result.dialect.driven_by(wait.why) or (DRIVES if is_called else ())
     changed = {each.channel for each in machine.log.inputs}
     named = set(wait.what) if wait.cause == "input" else changed
     return ("input" in tables and bool(changed & named)) or any(map(machine.controller.stimuli.used, tables))

@@ -140,14 +140,25 @@ class StepTask(Task):
 
     def conditions_out(self) -> Callable[[], list[bool]]:
         steps, first, last = self.last_loop
+        loop = list(
+            zip(range(first, last + 1), steps[first : last + 1], steps.uses[first : last + 1], strict=True)
+        )
+        # A test may read a copy of a value, such as that of a key in `k = INKEY`.
+        copies = [step.do for _, step, uses in loop if step.kind == DO and uses is not None and uses.sets]
         tests = [
             step.do
-            for pc, step in enumerate(steps[first : last + 1], first)
-            if step.do is not None
-            and ((step.kind == BRANCH and step.to > last) or (step.kind == BACK and pc == last))
+            for pc, step, _ in loop
+            if (step.kind == BRANCH and step.to > last) or (step.kind == BACK and pc == last)
         ]
-        values = self.values
-        return lambda: [bool(test(values)) for test in tests]
+
+        def tested() -> list[bool]:
+            values, shared = list(self.values), self.loops_of_all.world.shared
+            before = list(shared)
+            results = [each(values) for each in [*copies, *tests] if each is not None]
+            shared[:] = before
+            return [bool(each) for each in results[len(copies) :]]
+
+        return tested
 
     # ------------------------------------------------------------------------------------------ for languages
 

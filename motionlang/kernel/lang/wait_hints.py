@@ -202,5 +202,8 @@ def _reads(program: Program | None, task: Task, wait: Wait) -> frozenset[Read]:
     """Return the values that the condition of a wait reads."""
     if wait.cause == "input" and wait.what:
         return frozenset(("input", channel) for channel in wait.what)
-    found = None if program is None else program.structure.waits.at(task.at)
+    if program is None:
+        return frozenset()
+    offsets = [task.at, *(at for at, _, _ in reversed(task.loops))]
+    found = next(filter(None, map(program.structure.waits.at, offsets)), None)
     return frozenset() if found is None else found.leaves

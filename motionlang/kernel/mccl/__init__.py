@@ -132,9 +132,9 @@ class Mccl(Dialect):
     def driven_by(self, why: str) -> list[str]:
         import re
 
-        found = re.search(r"(home switch|index mark) of axis (\d+)", why)
-        keys = {"home switch": "home_switch", "index mark": "index_every"}
-        return [f"axis.{found[2]}.{keys[found[1]]}"] if found else []
+        found = re.search(r"(home switch|index mark|channel)( of axis)? (\d+)", why)
+        keys = {"home switch": "axis.{}.home_switch", "index mark": "axis.{}.index_every", "channel": "input"}
+        return [keys[found[1]].format(found[3])] if found else []
 
     def interactive(self, machine: Machine) -> Interactive:
         from motionlang.kernel.mccl.runtime.session import BoardSession

@@ -166,11 +166,12 @@ class MintTask(StepTask):
 def readings(loop: nodes.Node) -> str:
     """Return the first few readings in a loop, as its author would write them, or the variables that others set."""
     targets = [each.target for each in walk([loop]) if isinstance(each, nodes.Assign)]
-    written, own = {id(each) for each in targets}, {shown(each) for each in targets}
+    waits = [each for each in walk([loop]) if isinstance(each, nodes.Pause)]
+    others, own = {id(each) for each in walk([*targets, *waits])}, {shown(each) for each in targets}
     names = [
         each
         for each in sorted(walk([loop]), key=lambda each: each.start)
-        if isinstance(each, nodes.Name) and id(each) not in written
+        if isinstance(each, nodes.Name) and id(each) not in others
     ]
     found = [
         shown(each)
