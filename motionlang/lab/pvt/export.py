@@ -92,9 +92,7 @@ def _serial(points: Sequence[WirePoint]) -> Export:
     lines += [*texts[:SIZE], start]
     if texts[SIZE:]:
         lines += ["# from here on: whenever reading the parameter shows free places", *texts[SIZE:]]
-    return Export(
-        lines, [point for m in messages if not isinstance(point := serial.decode(m), serial.BufferCommand)]
-    )
+    return Export(lines, list(points))
 
 
 def _read_back(messages: Sequence[bytes]) -> list[WirePoint]:

@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 from motionlang.lab.pvt.drive import serial
 from motionlang.lab.pvt.drive.point import WirePoint
-from motionlang.lab.pvt.drive.serial import BadWord, BufferCommand
+from motionlang.lab.pvt.drive.serial import BadWord
+from tests.lab.pvt.drive.serial_port import CLEAR, POP, BufferCommand, decode
 
 int32 = st.integers(-(2**31), 2**31 - 1)
 wire_points = st.builds(WirePoint, int32, st.one_of(st.none(), int32), st.integers(0, 255), st.booleans())
@@ -28,38 +29,37 @@ wire_points = st.builds(WirePoint, int32, st.one_of(st.none(), int32), st.intege
 )
 def test_points_are_these_words(point: WirePoint, message: tuple[int, ...]) -> None:
     assert serial.encode_point(point) == message
-    assert serial.decode(message) == point
+    assert decode(message) == point
 
 
 @pytest.mark.parametrize(
     ("command", "word"),
     [
-        (BufferCommand(serial.CLEAR), 0x8000),
-        (BufferCommand(serial.POP, 3), 0x8103),
-        (BufferCommand(serial.POP, 255), 0x81FF),
+        (BufferCommand(CLEAR), 0x8000),
+        (BufferCommand(POP, 3), 0x8103),
+        (BufferCommand(POP, 255), 0x81FF),
     ],
 )
 def test_commands_are_these_words(command: BufferCommand, word: int) -> None:
-    assert serial.encode_command(command) == (word,)
-    assert serial.decode((word,)) == command
+    assert decode((word,)) == command
 
 
 @given(wire_points)
 def test_every_point_survives_the_transfer(point: WirePoint) -> None:
     message = serial.encode_point(point)
-    assert serial.decode(message) == point
+    assert decode(message) == point
 
 
 @pytest.mark.parametrize("bit", [8, 9, 10, 11, 13, 14])
 def test_each_reserved_bit_of_a_point_is_refused(bit: int) -> None:
     with pytest.raises(BadWord, match=f"reserved bits {1 << bit:#06x}"):
-        serial.decode((1 << bit, 0, 0))
+        decode((1 << bit, 0, 0))
 
 
 @pytest.mark.parametrize("bit", [9, 10, 11, 12, 13, 14])
 def test_each_reserved_bit_of_a_command_is_refused(bit: int) -> None:
     with pytest.raises(BadWord, match=f"reserved bits {1 << bit:#06x}"):
-        serial.decode((0x8000 | 1 << bit,))
+        decode((0x8000 | 1 << bit,))
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_each_reserved_bit_of_a_command_is_refused(bit: int) -> None:
 )
 def test_other_messages_are_refused(message: tuple[int, ...], reason: str) -> None:
     with pytest.raises(BadWord, match=reason):
-        serial.decode(message)
+        decode(message)
 
 
 @pytest.mark.parametrize(
@@ -91,13 +91,3 @@ def test_other_messages_are_refused(message: tuple[int, ...], reason: str) -> No
 def test_points_that_fit_no_field_are_refused(point: WirePoint, reason: str) -> None:
     with pytest.raises(BadWord, match=reason):
         serial.encode_point(point)
-
-
-@pytest.mark.parametrize("command", [BufferCommand(2), BufferCommand(serial.POP, 256)])
-def test_commands_that_do_not_exist_are_refused(command: BufferCommand) -> None:
-    with pytest.raises(BadWord, match=r"there is no|does not fit"):
-        serial.encode_command(command)
-
-
-def test_reading_the_parameter_gives_the_free_positions() -> None:
-    assert serial.status_words(29) == (29, 0, 0)

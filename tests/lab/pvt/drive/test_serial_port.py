@@ -8,7 +8,6 @@ from motionlang.lab.pvt.drive import serial
 from motionlang.lab.pvt.drive.drive import IDLE, Drive
 from motionlang.lab.pvt.drive.packet import OVERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
-from motionlang.lab.pvt.drive.serial import BufferCommand
 from motionlang.lab.pvt.export import export
 from motionlang.lab.pvt.fit import track_error
 from motionlang.lab.pvt.points import plan_points
@@ -57,9 +56,9 @@ def test_buffer_commands() -> None:
     line = port()
     for n in range(5):
         line.write(0x115, serial.encode_point(WirePoint(n, None, 10)))
-    line.write(0x115, serial.encode_command(BufferCommand(serial.POP, 2)))
+    line.write(0x115, (0x8102,))
     assert line.read(0x115)[0] == 29
-    line.write(0x115, serial.encode_command(BufferCommand(serial.CLEAR)))
+    line.write(0x115, (0x8000,))
     assert line.read(0x115)[0] == 32
 
 
