@@ -28,7 +28,7 @@ LAZY = {
     # is the table of its commands.
     "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models",
     "kernel/mint/__init__.py": "keywords keywords.latches keywords.machine_readings keywords.switchable models "
-    "resolve.aliases runtime.task runtime.wait_sources",
+    "resolve.aliases runtime.task",
     "kernel/mccl/keywords/__init__.py": "keywords.index",
     "kernel/mint/keywords/__init__.py": "keywords.index",
     "kernel/mint/runtime/environment.py": "runtime.errors runtime.events runtime.power_up",

@@ -93,9 +93,17 @@ class Mint(Dialect):
         return switches()
 
     def driven_by(self, why: str) -> list[str]:
-        from motionlang.kernel.mint.runtime.wait_sources import driven_by
+        import re
 
-        return driven_by(why)
+        from motionlang.kernel.mint.keywords import table
+
+        found: dict[str, None] = {}
+        for word, bracket in re.findall(r"([A-Za-z_]\w*)(\s*[(.[])?", why):
+            row = table().get(word)
+            # Without brackets a keyword that needs them is an ordinary word of the text.
+            if row is not None and row.driven and (row.index == "none" or bracket or word == row.name):
+                found[row.driven] = None
+        return list(found)
 
     def triggers(self, task: Task, latches: Sequence[int]) -> tuple[frozenset[Read], str]:
         from motionlang.kernel.mint.keywords.latches import triggers

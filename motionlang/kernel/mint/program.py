@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 
@@ -18,10 +19,10 @@ from motionlang.kernel.mint.check.body import CheckContext as Declared
 from motionlang.kernel.mint.check.check import CheckedModule, declared, examined
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.check.model import check_model, written_for
+from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
-from motionlang.kernel.mint.resolve.notation import in_v4
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
@@ -40,6 +41,7 @@ from motionlang.kernel.tools import StackSpace
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64
+_BRACKETS = re.compile(r"\b([A-Z]+)\(([^()\n]+)\)")
 
 
 class Text:
@@ -149,7 +151,20 @@ class MintProgram(Program):
         return mistakes
 
     def in_notation(self, text: str) -> str:
-        return in_v4(text, self.source.text) if self._is_v4 else text
+        """Return a hint, worded for MintMT, as Mint v4 writes it: `GO.0` and `VECTORA[0, 1]`.
+
+        A part that is the text of the program itself is not changed.
+        """
+
+        def written(found: re.Match[str]) -> str:
+            word, inside = found.groups()
+            row = table().get(word)
+            is_other = row is None or row.index == "none" or row.kind in ("function", "statement")
+            if is_other or found[0] in self.source.text:
+                return found[0]
+            return f"{word}.{inside}" if inside.isdigit() else f"{word}[{inside}]"
+
+        return _BRACKETS.sub(written, text) if self._is_v4 else text
 
     @cached_property
     def _is_v4(self) -> bool:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from math import inf
 
-from motionlang.kernel.errors import Rejected
+from motionlang.kernel.errors import Diagnostic, Rejected
 from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
 from motionlang.kernel.lang.waits import Delay, Wait, next_tick
 from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Type
-from motionlang.kernel.mint.runtime.input_values import take, wait_for_answer
+from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.mint.runtime.functions import leading_number
 from motionlang.kernel.mint.runtime.task import until_free
 from motionlang.kernel.mint.steps import expressions, terminal
 from motionlang.kernel.mint.steps.unit import UnitWriter
@@ -17,6 +18,7 @@ from motionlang.kernel.mint.steps.values import Get, Value
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
 from motionlang.kernel.mint.syntax.unparse import shown
+from motionlang.kernel.tools import clipped
 
 
 def wait(w: UnitWriter, given: list[nodes.Expr]) -> None:
@@ -151,15 +153,55 @@ def input_(w: UnitWriter, node: nodes.Input) -> None:
     def ask(values: Values) -> Wait:
         environment.acts += 1
         now = environment.statements.at(environment.statements.count)
-        return wait_for_answer(environment, now, *([] if is_console else [values[chosen]]))
+        return _wait_for_answer(environment, now, CONSOLE if is_console else values[chosen])
 
     w.add(WAIT, ask)
     is_text = kind.name == STRING
     typed = Value(
-        lambda values: take(environment, is_text, CONSOLE if is_console else values[chosen], node.start),
+        lambda values: _take(environment, is_text, CONSOLE if is_console else values[chosen], node.start),
         STRING if is_text else FLOAT,
     )
     get = expressions.converted(w, typed, kind)
     plain = expressions.plain_variable(w, node.target)
     sets = None if plain is None else w.program.places.number(plain)
     w.add(DO, expressions.storing(w, node.target, where, which, get), cost=1.0, sets=sets)
+
+
+def _wait_for_answer(environment: Environment, t: float, terminal: int) -> Wait:
+    """Return the wait for the next line.
+
+    It never ends if no `[[answer]]` is left and there is no operator at the terminal.
+    """
+    machine = environment.machine
+    operator = machine.operator_at(terminal)
+    if terminal == CONSOLE and machine.ask is not None and not operator.has_answer():
+        line = machine.ask()
+        operator.lines += [] if line is None else [(line, "")]
+    operator.asking = not operator.has_answer()
+    if operator.asking and machine.stop is not None:
+        machine.stop.asks()
+
+    def answered() -> bool:
+        operator.asking = operator.asking and not operator.has_answer()
+        return operator.has_answer()
+
+    return Wait(t, answered, lambda: inf, "for the operator to answer INPUT", "operator")
+
+
+def _take(environment: Environment, as_text: bool, terminal: int, at: int) -> float | str:
+    """Take the next answer and echo it as on the operator's terminal.
+
+    If a number is expected, return the number at the beginning of the answer, and warn, for the INPUT at the source
+    offset `at`, of an answer that is none.
+    """
+    text = environment.machine.operator_at(terminal).take_answer()
+    environment.machine.terminal_at(terminal).write(f"{text}\n")
+    if as_text:
+        return text
+    number, rest = leading_number(text)
+    if rest or not text.strip():
+        line = 0 if environment.line_of is None else environment.line_of(at)
+        message = f'the answer "{clipped(text)}" is not a number: INPUT takes {number:.10g}'
+        hint = "type a number alone; a controller may ask again (mint.input)"
+        environment.machine.complain(Diagnostic("not-a-number", message, line, hint=hint, severity="warning"))
+    return number
