@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.events import clamped
@@ -52,7 +54,7 @@ def plan_move(a: Axis, move: LoggedMove, in_force: tuple[float, float] | None = 
     if a.limited:
         clamped(a, move.line, speed, a.max_speed)
         speed, accel, decel = min(speed, a.max_speed), min(accel, a.max_accel), min(decel, a.max_decel)
-    move.rates_in_force = accel, decel
+    move.rates_in_force = _shared_rates(accel, decel)
     if a.suspended or not speed:
         return with_standstill(a)
     last = a.profiles[-1]
@@ -64,6 +66,12 @@ def plan_move(a: Axis, move: LoggedMove, in_force: tuple[float, float] | None = 
         return made if eased is None else eased.then(made)
     except ValueError as problem:
         raise Rejected("range", f"axis {a.index} cannot move: {problem}") from None
+
+
+@lru_cache(typed=True)
+def _shared_rates(accel: float, decel: float) -> tuple[float, float]:
+    """Return two rates as a tuple that equal moves share, since a log may have millions."""
+    return accel, decel
 
 
 def plan_distance(
