@@ -349,7 +349,9 @@ class _Comparison:
         timeline, result = way.timeline, compared(a, b)
         if last > 0.0 and (result.differences or result.later):
             timeline, b, result = self._followed(way.timeline, self.a.play(way.timeline), b, result)
-        if any(not (each.a and each.b) for each in result.differences if each.end is None):
+        usual = self._first.keys() | self._behind.keys()
+        lacking = {each.key for each in result.differences if each.end is None and not (each.a and each.b)}
+        if lacking - usual:
             # What one side lacks may only come later there.
             a = self.a.play(way.timeline, 0.0, PATIENCE)
             timeline, b, result = self._followed(way.timeline, a, b, result, PATIENCE)
