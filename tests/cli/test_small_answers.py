@@ -24,6 +24,13 @@ def test_a_move_of_which_only_the_slew_is_seen(cell: Cell) -> None:
     assert "slew time    100000000000  s" in ran.out
 
 
+def test_a_whole_circle_has_no_distance_of_rounding() -> None:
+    circle = "CIRCLER(0, 1) = 10.1, 3.7, 1080 : GO(0, 1)"
+    start = "POS(0, 1) = 3.3, 7.7 : SPEED(0) = 50 : ACCEL(0) = 500 : DECEL(0) = 500"
+    ran = motionlang.run(motionlang.Source("a.mnt", f"{start}\n{circle}\nPAUSE IDLE(0) And IDLE(1)\n"))
+    assert [each.distance for each in ran.moves] == [0.0, 0.0]
+
+
 def test_a_hint_lists_the_limits_of_an_axis(cell: Cell) -> None:
     cell.write("a.mnt", STROKE)
     cell.write("a.machine.toml", "axis.0.limits.accel = 5\n")
