@@ -12,8 +12,8 @@ every `STRIDE` statements. The first statement after the moment becomes the stop
 ends before that.
 
 A program may wait for something that never happens, while events go on for eight hours. A command that needs a
-statement gives up after as many advances of the clock as the run has made so far (`patience.py`). The last statement is
-then the stop. `go_on` and `go_to_line` run on, until they are paused.
+statement gives up after as many advances of the clock as the run has made so far (`Patience`), which are the same in
+every run. The last statement is then the stop. `go_on` and `go_to_line` run on, until they are paused.
 
 Invariants.
 - There is one run. After each command it is stopped at `stop`, or ended (`stop` is None, `run` has the result).
@@ -36,8 +36,7 @@ from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.checkpoints import Checkpoint
 from motionlang.ide.debug.journal import Assigned, Entered, Journal
 from motionlang.ide.debug.moments import Occurrence, Search
-from motionlang.ide.debug.patience import Patience
-from motionlang.ide.debug.replay import EVERY, Replay, SessionOutput, Setup, StopPoint
+from motionlang.ide.debug.replay import EVERY, PAUSE, Replay, SessionOutput, Setup, StopPoint
 from motionlang.ide.debug.state import StoppedRun
 from motionlang.kernel import DEFAULT_AXES, INFINITY, Dialect, Run, Source, Variable
 
@@ -49,6 +48,8 @@ Found = TypeVar("Found")
 STRIDE = 4096
 # Two searches find the same moment within this time, s: that of a condition depends on the samples.
 CLOSE = 1e-8
+# The advances of the clock that a command always waits; it waits longer if the run up to there took more.
+ADVANCES = 16384
 
 
 @dataclass(eq=False, slots=True)
@@ -747,3 +748,31 @@ class Debugger:
         self._replay = self._new()
         self._output.forget(0)
         return self.go_to_time(time)
+
+
+class Patience:
+    """A number of advances of the clock after `time`.
+
+    It is as many as the run had made up to then, and at least `ADVANCES`.
+    An instance is what `Replay.go` calls to give up: shortly after the end, for a statement of another task.
+    """
+
+    def __init__(self, replay: Replay, time: float) -> None:
+        self._replay = replay
+        self._last = INFINITY
+        # The last time to which the clock has advanced.
+        self._time = self.reached = time
+
+    @property
+    def is_over(self) -> bool:
+        return self._replay.advances > self._last
+
+    def renew(self) -> None:
+        """Wait as long again, since the program makes progress."""
+        self._last = self._replay.advances + max(ADVANCES, self._replay.advances)
+
+    def __call__(self, time: float) -> bool:
+        self.reached = time
+        if self._last == INFINITY and time >= self._time:
+            self.renew()
+        return self._replay.advances > self._last + PAUSE

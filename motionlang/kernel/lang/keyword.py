@@ -64,23 +64,10 @@ ROLES = {
     "rescale": "changes the user unit from the next time on that the axis is switched on",
     "zero": "sets the present position to another value",
 }
-TRAITS = {
-    "relative": "its value is a distance, not a position",
-    "line": "a path that ends at the given positions",
-    "endless": "the motion continues until it is stopped",
-    "position": "its value is the position of the axis",
-    "target": "its value is the target of the axis",
-    "targets": "the mode in which moves run to their targets",
-    "upper": "its value is the upper software limit of the axis",
-    "lower": "its value is the lower software limit of the axis",
-    "abrupt": "the axis stops at once",
-    "off": "the axis is switched off",
-    "all": "it affects all axes",
-    "datum": "it moves the zero of the axis",
-    "follows": "the axis moves with its master in addition to its own motion",
-    "hands-over": "an input, a table or an analogue value also moves the axis from then on",
-    "switch": "the motion of the axis may have ended",
-}
+# The traits: "relative", "position", "target", "upper", "lower" (a value is a distance, or that of the axis or of its
+# limit), "line" (a path that ends at given positions), "endless", "targets" (a mode that runs to targets), "abrupt",
+# "off", "all" (axes), "datum" (the zero moves), "follows" (a master), "hands-over" (an input, a table or an analogue
+# value also moves the axis from then on), "switch" (the motion may have ended).
 
 
 @dataclass(eq=False, slots=True)
@@ -116,7 +103,7 @@ class Keyword:
     `below`    True if the range excludes `high` (MCCL)
     `solved`   its `read` accepts the level of a comparison, and can solve when the value passes that level
     `simulated`   False: recognised, documented, reported as "not simulated"
-    `effect`   the effect of writing or executing the keyword on its axes: words of `ROLES` and `TRAITS`
+    `effect`   the effect of writing or executing the keyword on its axes: words of `ROLES` and traits
     `gives`    the property of moves that it sets: "speed", "accel", "decel jerk" …; the last one written is
                in force
     `changes`  "motion": the value changes only while the axis moves; "always": it may differ at each read
@@ -245,7 +232,7 @@ class Keyword:
         return row
 
     def does(self, what: str) -> bool:
-        """True if `effect` contains `what`, a word of `ROLES` or `TRAITS`."""
+        """True if `effect` contains `what`, a word of `ROLES` or a trait."""
         return what in self.effect.split()
 
     @property

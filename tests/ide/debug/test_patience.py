@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import pytest
 
-from motionlang.ide.debug import patience, replay
+from motionlang.ide.debug import debugger, replay
 from motionlang.ide.debug.breakpoints import Breakpoint, Watched
 from motionlang.ide.debug.debugger import Debugger
 from motionlang.ide.debug.moments import search
@@ -46,7 +46,7 @@ def fired(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
         clocks.append(self)
 
     monkeypatch.setattr(Clock, "__init__", made)
-    monkeypatch.setattr(patience, "ADVANCES", FEW)
+    monkeypatch.setattr(debugger, "ADVANCES", FEW)
     return lambda: sum(each.fired for each in clocks)
 
 
@@ -204,8 +204,8 @@ WAITS = "WAIT({})\nOUTX(1) = 1\nPAUSE INX(0)\nOUTX(2) = 1\n"
 @pytest.fixture
 def brief(monkeypatch: pytest.MonkeyPatch) -> None:
     """Commands wait for 4 advances of the clock, and 2 more for another task."""
-    monkeypatch.setattr(patience, "ADVANCES", 4)
-    monkeypatch.setattr(patience, "PAUSE", 2)
+    monkeypatch.setattr(debugger, "ADVANCES", 4)
+    monkeypatch.setattr(debugger, "PAUSE", 2)
 
 
 @pytest.mark.usefixtures("brief")

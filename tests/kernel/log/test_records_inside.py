@@ -7,7 +7,7 @@ from math import inf
 import pytest
 
 from motionlang.kernel import Controller
-from motionlang.kernel.log.moves import LoggedMoves
+from motionlang.kernel.log.log import LoggedMoves
 from motionlang.kernel.log.records import TimeSlices
 from motionlang.kernel.log.stream import Budget
 from motionlang.kernel.log.time_slices import TimeSliceStream

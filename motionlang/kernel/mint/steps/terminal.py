@@ -1,20 +1,26 @@
-"""PRINT and LINE."""
+"""PRINT and LINE.
+
+`USING width` and `USING width, decimals`: a negative width prints the sign of positive numbers, too. Negative decimals
+select the exponent form. A number that is too long for its width is printed in full.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any
 
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.steps import DO, NOW, Values
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
 from motionlang.kernel.mint.runtime import binding
-from motionlang.kernel.mint.runtime.formats import USING
 from motionlang.kernel.mint.runtime.printing import show_integer
 from motionlang.kernel.mint.steps import expressions, words
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.steps.values import Get, Value
 from motionlang.kernel.mint.syntax import nodes
 
+# Wider than any terminal: a wild width is an error, not a request for a gigabyte of blanks.
+WIDEST = 255
 _KINDS: dict[str, str] = {STRING: "text", FLOAT: "float"}
 
 
@@ -105,3 +111,39 @@ def _in_whole_counts(w: UnitWriter, node: nodes.Expr, found: Value) -> Value:
     (where,) = words.indices(w, node, row, single=True)
     environment, get, axis = w.program.environment, found.get, where.get
     return Value(lambda values: environment.in_whole_counts(get(values), axis(values)), FLOAT)
+
+
+def _using_float(value: float, width: int, decimals: int = 0) -> str:
+    """Format a Float as `%w.df` or, with negative decimals, `%w.de`; -0 prints as 0."""
+    sign, width = _width(width)
+    kind = "f" if decimals >= 0 else "e"
+    return f"{value:{sign}z{width}.{_decimals(decimals)}{kind}}"
+
+
+def _using_integer(value: float, width: int, decimals: int | None = None) -> str:
+    """Format an Integer as `%wd`, with decimals as a Float."""
+    if decimals is not None:
+        return _using_float(value, width, decimals)
+    sign, width = _width(width)
+    return f"{int(value):{sign}{width}d}"
+
+
+def _using_text(value: str, width: int, decimals: int = 0) -> str:
+    """Format a string padded on the right, or on the left for a negative width."""
+    _, size = _width(width)
+    return value.rjust(size) if width < 0 else value.ljust(size)
+
+
+def _width(width: int) -> tuple[str, int]:
+    if abs(width) > WIDEST:
+        raise Rejected("range", f"USING cannot be {width} wide", f"a width is at most {WIDEST}")
+    return ("+" if width < 0 else ""), abs(width)
+
+
+def _decimals(decimals: int) -> int:
+    if abs(decimals) > WIDEST:
+        raise Rejected("range", f"USING cannot have {decimals} decimals", f"there are at most {WIDEST}")
+    return abs(decimals)
+
+
+USING = {"float": _using_float, "integer": _using_integer, "text": _using_text}
