@@ -8,20 +8,24 @@ command of a single feature is here.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
+from shlex import quote
 
 from motionlang.cli.commands import parse
 from motionlang.cli.complaints import complain
 from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.cli.standard_streams import prepare, silence
-from motionlang.cli.welcome import welcome
-from motionlang.kernel import Diagnostic, ProgramError, Terminated
+from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, ProgramError, Terminated, dialect_of
 from motionlang.kernel.tools import missing
+from motionlang.views.terminal import printable
 
 # The exit status if the reader of standard output has gone: 128 and SIGPIPE's number, like in shells.
 PIPE_CLOSED = 141
+# The most programs that the welcome names, and the most files that it reads.
+MAX_NAMED, MAX_FILES = 3, 10_000
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -64,7 +68,7 @@ def _guarded(given: list[str]) -> int:
 
 def _command(given: Sequence[str]) -> int:
     if not given:
-        sys.stderr.write(welcome())
+        sys.stderr.write(_welcome())
         return 2
     SIGNALS.defer()  # until the command can report how it ended
     command = parse(given)
@@ -73,3 +77,36 @@ def _command(given: Sequence[str]) -> int:
     except ProgramError as error:  # for a machine that cannot be built from the command line
         complain(error.diagnostics, None, "")
         return 1
+
+
+def _welcome() -> str:
+    """Return the text without a command, next steps; in a folder with programs it has commands for the first one."""
+    found = _programs()
+    lines = ["motionlang runs Mint and MCCL motion programs without the controller.", ""]
+    if found:
+        first = quote(printable(found[0]))
+        more = f" and {len(found) - MAX_NAMED} more" if len(found) > MAX_NAMED else ""
+        lines += [f"this folder has {', '.join(map(printable, found[:MAX_NAMED]))}{more}", ""]
+        steps = [(f"run {first}", "run it and report what it did"), (f"check {first}", "find its errors")]
+        if not os.path.exists(os.path.splitext(found[0])[0] + MACHINE_SUFFIX):
+            steps.append((f"init {first}", "write a machine file for it"))
+    else:
+        steps = [
+            ("init --new feed", "write a small program with its machine file"),
+            ("init OLD.PRG", "write a machine file for a program that you have"),
+            ("run PICK.MNT", "run a program"),
+        ]
+    steps += [("repl", "type a program line by line"), ("--help", "list all commands")]
+    width = max(len(step) for step, _ in steps)
+    lines += [f"  motionlang {step:<{width}}  {what}" for step, what in steps]
+    return "\n".join(lines) + "\n"
+
+
+def _programs() -> list[str]:
+    """Return the programs of this folder by name; none if it cannot be read."""
+    try:
+        with os.scandir() as entries:
+            names = sorted(entry.name for entry, _ in zip(entries, range(MAX_FILES), strict=False))
+    except OSError:
+        return []
+    return [name for name in names if dialect_of(name) is not None and os.path.isfile(name)]

@@ -25,9 +25,12 @@ from motionlang.lab.pvt.drive.modes import (
     ProfileModes,
 )
 from motionlang.lab.pvt.drive.point import MAX_TIME
-from motionlang.lab.pvt.drive.states import DISABLED, ENABLED, FAULT, QUICK_STOP, RESET, STATUS, next_state
 from motionlang.lab.pvt.drive.switches import Switches
 
+# The states of DS402, and the bits of the status word of each.
+DISABLED, READY, ON, ENABLED, QUICK_STOP, FAULT = range(6)
+STATUS = (0x40, 0x21, 0x23, 0x27, 0x07, 0x08)
+SWITCH_ON, VOLTAGE, NO_QUICK_STOP, ENABLE, RESET = 1, 2, 4, 8, 0x80
 # Mode of operation (object 0x6060) in which the drive accepts PVT points.
 INTERPOLATED_POSITION = 7
 MODES = (PROFILE_POSITION, PROFILE_VELOCITY, HOMING, INTERPOLATED_POSITION)
@@ -410,7 +413,7 @@ class ObjectServer:
         self.update()
         before, was = self.values[0x6040, 0], self.power
         self.values[0x6040, 0] = value
-        self.power = next_state(was, before, value)
+        self.power = _next_state(was, before, value)
         if value & RESET & ~before and (was == FAULT or not self._modes.is_at_limit):
             self._clear_error()
         if self.power != ENABLED:
@@ -458,3 +461,26 @@ class ObjectServer:
 def _wrapped(value: int) -> int:
     """Wrap a number to 32 bits, signed."""
     return (value + 2**31) % 2**32 - 2**31
+
+
+def _next_state(state: int, before: int, control: int) -> int:
+    """Return the state of DS402 after a control word; `before` is the previous one.
+
+    disabled ─▶ ready ─▶ switched on ─▶ enabled ─▶ quick stop ─▶ disabled
+                                           any ─▶ fault ─▶ disabled
+
+    A disabled drive can only become ready. From there a command may skip states, in both directions. A rising bit 7
+    ends a fault.
+    """
+    if state == FAULT:
+        return DISABLED if control & ~before & RESET else FAULT
+    if not control & VOLTAGE:
+        return DISABLED
+    if not control & NO_QUICK_STOP:
+        return QUICK_STOP if state in (ENABLED, QUICK_STOP) else DISABLED
+    if state == QUICK_STOP:
+        return ENABLED if control & SWITCH_ON and control & ENABLE else QUICK_STOP
+    requested = READY if not control & SWITCH_ON else ON if not control & ENABLE else ENABLED
+    if state == DISABLED:
+        return READY if requested == READY else DISABLED
+    return requested
