@@ -14,7 +14,7 @@ from motionlang.kernel.lang import Snapshot
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move. A run
 # that is not recorded ends if this holds for the larger number.
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
-# It ends earlier if it only prints, or starts moves, again and again: so many lines or moves in a time, s.
+# Every run ends earlier if it prints lines, or starts moves, again and again: so many of them in a time, s.
 MAX_PRINTED, MAX_STARTED, FLOOD = 500, 200, 0.5
 # So often the user's time is looked at, in statements.
 CHECKED = 500
@@ -101,13 +101,12 @@ class TrialRecorder(Hook):
         # The statement that handlers have interrupted; -1 if none runs.
         self._interrupted = -1
         self._is_recorded = False
-        # The places since `since`, the moves so far, and the last statement with something new: its number, its time,
-        # and the lines printed by then.
+        # The places since `since`, the moves so far, and the number of the last statement with something new.
         self._places: set[int] = set()
-        self._moves = self._news = self._printed = 0
-        self._news_at = -inf
-        # The number of moves at which the time is looked at next, and when it was last, s.
+        self._moves = self._news = 0
+        # The numbers of moves and of lines at which the time is looked at next, and when it was last, s.
         self._started, self._started_at = 0, -inf
+        self._printed, self._printed_at = 0, -inf
         # The calls of the last statement of each task: how many, the innermost one, and their offsets.
         self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
 
@@ -174,7 +173,7 @@ class TrialRecorder(Hook):
             self._interrupted = self._at
         self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
         assert scheduler is not None
-        if (not self.count % CHECKED and self._is_cut()) or self._hurries(time):
+        if (not self.count % CHECKED and self._is_cut()) or self._floods(time):
             scheduler.until = time
             return True
         if not self._is_recorded:
@@ -195,21 +194,22 @@ class TrialRecorder(Hook):
             self._places.add(offset)
             self.seen.add(offset)
             self._moves, self._news = self._machine.moves_made, self.count
-            self._printed, self._news_at = len(self._machine.log.prints), time
-        floods = len(self._machine.log.prints) - self._printed >= MAX_PRINTED and time - self._news_at < FLOOD
-        self.is_idle = floods or self.count - self._news >= MAX_REPEATED
+        self.is_idle = self.count - self._news >= MAX_REPEATED
         if self.count < MAX_STATEMENTS and not self.is_idle:
             return False
         scheduler.until = time
         return True
 
-    def _hurries(self, time: float) -> bool:
-        """True if the program starts move after move without time to carry them out."""
+    def _floods(self, time: float) -> bool:
+        """True if the program prints line after line, or starts moves without time to carry them out."""
         assert self._machine is not None
-        if self._machine.moves_made < self._started:
-            return False
-        is_soon = time - self._started_at < FLOOD
-        self._started, self._started_at = self._machine.moves_made + MAX_STARTED, time
+        log, is_soon = self._machine.log, False
+        if log.moves.past >= self._started:
+            is_soon = time - self._started_at < FLOOD
+            self._started, self._started_at = log.moves.past + MAX_STARTED, time
+        if log.prints.past >= self._printed:
+            is_soon = self.is_idle = is_soon or time - self._printed_at < FLOOD
+            self._printed, self._printed_at = log.prints.past + MAX_PRINTED, time
         return is_soon
 
     def _remember_now(self) -> None:
