@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 
 Program = str | os.PathLike[str] | Source
 
+Settings = Mapping[str, object] | str | os.PathLike[str]
+
 Side = Program | Run | Mapping[str, object]
 
 
@@ -45,7 +47,7 @@ def run(
     program: Program,
     *,
     dialect: str | None = None,
-    machine: Mapping[str, object] | None = None,
+    machine: Settings | None = None,
     until: float | None = None,
     overrides: Mapping[str, float | str] | None = None,
     inputs: Given = (),
@@ -58,8 +60,8 @@ def run(
     """Run a program on the virtual controller and return its `Run`.
 
     `program` is a path, or a `Source` with its text. `dialect` is "mint" or "mccl"; without it the file extension
-    decides. `machine` has settings by the dotted keys of the machine file, such as {"controller.axes": 2};
-    without it they are taken from the machine file next to the program, if there is one. `until` is the machine
+    decides. `machine` is the path of a machine file, or has settings by its dotted keys, such as
+    {"controller.axes": 2}; without it the machine file next to the program counts. `until` is the machine
     time in seconds at which the run ends at the latest, by default the file's `run.until` or 8 hours,
     or for a program that never ends ten cycles and at least 60 s.
     `overrides` has values for constants and variables of the program. `inputs`, `analog`, `answers` and `keys` are
@@ -95,7 +97,7 @@ def check(
     program: Program,
     *,
     dialect: str | None = None,
-    machine: Mapping[str, object] | None = None,
+    machine: Settings | None = None,
     model: str | None = None,
 ) -> list[Diagnostic]:
     """Return all errors and warnings of a program, in order of line; nothing is run.
@@ -137,7 +139,7 @@ def profile(program: Program | Run) -> TimeProfile:
 def map(
     program: Program,
     *,
-    machine: Mapping[str, object] | None = None,
+    machine: Settings | None = None,
     run: bool = True,
 ) -> ProgramMap:
     """Return what a machine does, and what its program is made of: channels, axes, units, variables.
@@ -269,7 +271,7 @@ def certify(program: Program | Run) -> list[CertifiedLimit]:
 def improve(
     program: Program,
     *,
-    machine: Mapping[str, object] | None = None,
+    machine: Settings | None = None,
     by: float = 0.0,
     edits: int = 0,
     cycle: str = "",

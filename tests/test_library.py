@@ -171,6 +171,18 @@ def test_a_wrong_argument_is_a_value_error_with_the_choices(call: Callable[[], o
         call()
 
 
+def test_a_machine_is_a_mapping_or_the_path_of_a_machine_file(tmp_path: Path) -> None:
+    path = tmp_path / "machine.toml"
+    path.write_text("run.until = 0.01\n")
+    expected = motionlang.run(FEED, machine={"run.until": 0.01})
+    for machine in (path, str(path)):
+        made = motionlang.run(FEED, machine=machine)
+        assert (made.time, made.status) == (expected.time, expected.status) == (0.01, "until")
+    path.write_text("controler.axes = 2\n")
+    with pytest.raises(motionlang.ProgramError, match="controler"):
+        motionlang.run(FEED, machine=path)
+
+
 def test_each_object_prints_itself() -> None:
     run = motionlang.run(FEED)
     assert repr(run).startswith("<Run of feed.mnt: ended at 2.1")

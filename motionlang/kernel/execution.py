@@ -83,7 +83,7 @@ def run(
     program: str | os.PathLike[str] | Source | Program,
     *,
     dialect: str | Dialect | None = None,
-    machine: Mapping[str, object] | None = None,
+    machine: Mapping[str, object] | str | os.PathLike[str] | None = None,
     until: float | None = None,
     overrides: Mapping[str, float | str] | None = None,
     show: Callable[[str], object] | None = None,
@@ -222,8 +222,10 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
     return read_machine(Source.read(path))
 
 
-def checked_settings(machine: Mapping[str, object]) -> dict[str, object]:
-    """Return a caller's settings by dotted key, checked against the machine file's keys; tables may be nested."""
+def checked_settings(machine: Mapping[str, object] | str | os.PathLike[str]) -> dict[str, object]:
+    """Return the settings of a machine file, or a caller's, by dotted key, checked; tables may be nested."""
+    if isinstance(machine, str | os.PathLike):
+        return read_machine(Source.read(machine))
     if machine and not isinstance(machine, CheckedSettings):
         machine = dict(flat(machine))
         mistake = first_mistake(machine)

@@ -28,6 +28,7 @@ that an exploration of the program finds (`ways.py`).
 
 from __future__ import annotations
 
+import os
 import re
 from bisect import bisect_right
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
@@ -721,7 +722,7 @@ class Improver:
 
 def improver_of(
     program: str | Source,
-    settings: Mapping[str, object] | None = None,
+    settings: Mapping[str, object] | str | os.PathLike[str] | None = None,
     /,
     dialect: str | Dialect | None = None,
     **given: Any,

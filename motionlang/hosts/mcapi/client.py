@@ -16,7 +16,7 @@ from motionlang.hosts.mcapi.session import McapiBoard
 from motionlang.hosts.mcapi.table import FUNCTIONS, Value
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.serve.pace import LockStep
-from motionlang.kernel import Machine, Source, checked_settings, read_machine
+from motionlang.kernel import Machine, checked_settings
 
 Answer = tuple[int, tuple[Value | None, ...]]
 
@@ -135,5 +135,4 @@ class VirtualBoard:
 def _machine(given: Machine | Mapping[str, object] | str | None) -> Machine:
     if isinstance(given, Machine):
         return given
-    settings = read_machine(Source.read(given)) if isinstance(given, str) else checked_settings(given or {})
-    return Machine(settings, first_axis=1)
+    return Machine(checked_settings(given or {}), first_axis=1)
