@@ -43,7 +43,6 @@ def count(cycle: MachineCycle, trial: Trial) -> int:
 
 
 def _words(text: str) -> str:
-    """Return a printed line as the acts of a transition have it, without figures."""
     return without_figures(repr(plain(text)))
 
 
@@ -208,5 +207,4 @@ def _due(
 
 
 def _is_same(rest: Rest, at: float, before: RestState | None) -> bool:
-    """True if a rest is the stay that was changed last, at a time."""
     return rest.state == before and rest.begin <= at + BODY

@@ -213,7 +213,6 @@ class TrialRecorder(Hook):
         return is_soon
 
     def _remember_now(self) -> None:
-        """Record the memory as it is when a record begins."""
         scheduler = None if self._machine is None else self._machine.scheduler
         if scheduler is not None:
             self._remember(scheduler.parent, self.since)

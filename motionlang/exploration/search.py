@@ -151,7 +151,6 @@ class Explorer:
         return self.play(visit.changed(causes), visit.change_time, self._is_settled)
 
     def _is_settled(self, trial: Trial) -> bool:
-        """True if the machine came to rest in a state that is known to last."""
         if trial.is_busy:
             return False
         last = next((rest for rest in self.rests(trial) if rest.end == inf), None)
@@ -312,7 +311,6 @@ class Explorer:
         return until
 
     def _note_work(self, trial: Trial) -> None:
-        """Take note of what the last trial repeats without a rest."""
         cycle = self.trials.last.cycle
         is_unusual = any(each.table == "answer" and is_probe(each) for _, each in trial.timeline)
         # An unusual count makes an endless batch, and no cycle of the machine; nor are moves without time for them.
@@ -460,7 +458,6 @@ class Explorer:
             source.left += [Departure(visit, changes, 1 if is_new else LATE)] if some else []
 
     def _handled(self, trial: Trial, since: float, until: float) -> list[float]:
-        """Return when statements of handlers began that command anything, between two times."""
         begun = trial.statements.get(HANDLERS, ())
         return [each.time for each in begun if each.at in self._commanding and since <= each.time <= until]
 
@@ -516,7 +513,6 @@ def _moves_between(trial: Trial, since: float, rest: Rest) -> bool:
 
 
 def _jogs(trial: Trial, since: float, until: float) -> list[float]:
-    """Return when motion without an end of its own begins between two times."""
     return [each.begin for each in trial.moves if each.end == inf and since <= each.begin < until]
 
 
@@ -532,7 +528,6 @@ def _whole(moves: Sequence[TrialMotion]) -> Iterator[TrialMotion]:
 
 
 def _does(part: Trial, until: float) -> Effect:
-    """Return what a program does in a part of a trial."""
     return Effect(
         tuple((each.line, each.ended if each.end <= until else "") for each in part.moves),
         frozenset((each.channel, bool(each.value)) for each in part.outputs),

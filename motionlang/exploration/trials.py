@@ -270,7 +270,6 @@ class Trials:
         return Start(before, since, recorder, result)
 
     def _change(self, start: Start, timeline: Timeline) -> None:
-        """Add the changes of a timeline to the world of a start that has been put back."""
         machine = start.run.machine
         changes = tuple(each for each in timeline if each[0] >= start.since)
         machine.add_entries(tables_of(changes, machine.clock.now))
@@ -317,7 +316,6 @@ ENDLESS = frozenset(("jog", "gear"))
 def _trial(
     timeline: Timeline, since: float, result: Run, recorder: TrialRecorder, base: Mapping[str, object]
 ) -> Trial:
-    """Return what a run did that has just ended."""
     log = result.machine.log
     return Trial(
         timeline,
@@ -410,7 +408,6 @@ def described(move: LoggedMove, is_homing: bool) -> str:
 
 
 def _open_waits(result: Run) -> Iterator[Waited]:
-    """Yield the waits that go on, but for those that a time ends."""
     scheduler = result.machine.scheduler
     for task in scheduler.tasks if scheduler is not None else ():
         wait = task.wait

@@ -164,7 +164,6 @@ def _perform(
     begun: Callable[[Machine], None] | None = None,
     keep_crash: bool = False,
 ) -> None:
-    """Execute a compiled program and collect remarks on the run."""
     if begun is not None:
         begun(result.machine)
     result.diagnostics += compiled.warnings
@@ -189,7 +188,6 @@ def _perform(
 
 
 def _finish(result: Run, settings: Mapping[str, object]) -> None:
-    """Close the resources of a run, and report the consequences of its end."""
     if result.machine.nv is not None:
         result.machine.nv.close()
     result.machine.close_terminals()
@@ -250,7 +248,6 @@ def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
 
 
 def _is_ready(program: Program, language: Dialect, result: Run) -> bool:
-    """True if a program has no errors that prevent a run; they are in the result otherwise."""
     try:
         program.require()
     except (KeyboardInterrupt, Terminated) as error:
@@ -305,7 +302,6 @@ def _creeps(result: Run, found: Cycle) -> bool:
 
 
 def _last_entry(settings: Mapping[str, object]) -> float:
-    """Return the time, s, of the last entry of a machine file that has one; 0 if none has."""
     entries = (each for value in settings.values() if isinstance(value, list) for each in value)
     times = (each.get("at") for each in entries if isinstance(each, Mapping))
     return max((time for time in times if isinstance(time, (int, float))), default=0.0)
@@ -318,7 +314,6 @@ def _execute(
     pace: Callable[[float], None] | None,
     outside: Outside | None,
 ) -> None:
-    """Run to the end or to an error; earlier results remain in `result`."""
     machine = result.machine
     settings, scheduler = machine.settings, machine.scheduler
     try:

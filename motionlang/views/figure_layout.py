@@ -127,7 +127,6 @@ def _across(panels: Iterable[Panel]) -> Limits:
 
 
 def _limits(panel: Panel) -> Limits:
-    """Return the limits of the y axis of a panel."""
     if panel.lanes:
         return 0.0, 1.0
     if panel.y_limits is not None:

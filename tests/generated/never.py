@@ -93,7 +93,11 @@ def _said(made: Run, until: float) -> list[object]:
 
 def is_equal(seed: int) -> bool:
     """True if a program that gives up, or ends, does no more when it is run on with every iteration."""
-    text, machine = program(seed)
+    return does_no_more(*program(seed))
+
+
+def does_no_more(text: str, machine: dict[str, object]) -> bool:
+    """True if a program on a machine does the same, and no more, when it is run on with every iteration."""
     made = run(Source("a.mnt", text), machine=machine)
     gave_up = any(each.code == "never" for each in made.diagnostics)
     end = made.time + LAST if gave_up else made.time

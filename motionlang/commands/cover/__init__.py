@@ -151,7 +151,6 @@ def _outcomes(structure: Structure, counts: Mapping[Event, int]) -> Iterator[Cov
 
 
 def _first(structure: Structure, entry: int, statements: Container[int]) -> int:
-    """Return the offset of the first statement from a point on."""
     points, seen = structure.points, set[int]()
     while entry not in seen and points[entry].at not in statements and points[entry].next:
         seen.add(entry)

@@ -321,7 +321,6 @@ def _is_figure(text: str) -> bool:
 
 
 def _add(found: list[ActDifference], hunk: Sequence[Row], end: float) -> None:
-    """Add a difference, but for what may come after the end of the other run."""
     a = [one for one, _ in hunk if one is not None and (one.begin < end)]
     b = [other for _, other in hunk if other is not None and (other.begin < end)]
     if a or b:
@@ -330,7 +329,6 @@ def _add(found: list[ActDifference], hunk: Sequence[Row], end: float) -> None:
 
 
 def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[ActDifference]:
-    """Yield how two runs end, and where their axes rest then."""
     if a.status != b.status:
         yield ActDifference((), (), (_end(a), _end(b)))
     elif a.status == "waits" and a.is_at_rest and b.is_at_rest:

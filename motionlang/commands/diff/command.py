@@ -221,7 +221,6 @@ examples:
         return status
 
     def _in_scenarios(self, other: str | None, tolerance: Tolerance) -> int:
-        """Compare two programs in the world of each and in the scenarios of A, and return the exit status."""
         if other is None or any(each.lower().endswith(".json") for each in (self.a, other)):
             raise WrongOption("--scenarios needs two programs")
         if self.keep or self.plot:
@@ -240,7 +239,6 @@ examples:
         return 0 if all(each.same for each in worlds) else 1
 
     def _in_all_ways(self, other: str | None) -> int:
-        """Compare two programs in all ways that an exploration of either finds, and return the exit status."""
         if other is None or any(
             is_recording(each) or each.lower().endswith(".json") for each in (self.a, other)
         ):
@@ -264,7 +262,6 @@ examples:
         return status
 
     def _write(self, found: WaysCompared, names: Mapping[int, str], folder: str) -> int:
-        """Write the scenarios of the differences, and return the exit status."""
         try:
             paths, left = write_scenarios(found, names, folder)
         except OSError as error:
@@ -279,7 +276,6 @@ examples:
         return any(own) or self.variant_b is not None
 
     def _recorded(self, path: str, tolerance: Tolerance) -> int:
-        """Compare a run, or an older recording, with a recording and return the exit status."""
         if self.a.lower().endswith(".json"):
             raise WrongOption("a recording is compared with a program, but A is a report")
         result = self.a if is_recording(self.a) else self._side("a", self.a)[1]
@@ -288,7 +284,6 @@ examples:
         return self.compare_with(result, path, {name: size for name, size in sizes.items() if size})
 
     def _side(self, side: str, path: str, scenario: str = "") -> Side:
-        """Return the report of one side, and its run if it is a program, in a scenario if one is given."""
         if path.lower().endswith(".json"):
             return _report(path)
         given = GivenProgram.of(self, side, path)
@@ -324,7 +319,6 @@ examples:
 
 
 def _layered(settings: dict[str, object], scenario: str) -> dict[str, object]:
-    """Return settings with those of a scenario on top; Refused if it cannot be read or is invalid."""
     layer = read(scenario)
     try:
         above = read_machine(layer, is_layer=True)
@@ -338,7 +332,6 @@ def _layered(settings: dict[str, object], scenario: str) -> dict[str, object]:
 def _variant(
     program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
 ) -> tuple[dict[str, object], dict[str, float | str]]:
-    """Return settings and overrides of a variant of the program's sweep; ValueError if there is none."""
     path = os.path.splitext(program)[0] + SUFFIX
     if not os.path.isfile(path):
         raise ValueError(f"there is no {os.path.basename(path)} next to it")
@@ -358,7 +351,6 @@ def _variant(
 
 
 def _report(path: str) -> Side:
-    """Return a report that is read from a file; Refused if it is none, or is truncated."""
     try:
         with open(path, encoding="utf-8", errors="replace") as file:
             return checked(json.load(file)), None

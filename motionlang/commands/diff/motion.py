@@ -88,13 +88,11 @@ def _of_axis(a: Axis, b: Axis, end: float, tolerance: float) -> Divergence | Non
 
 
 def _table(axis: Axis, edges: Sequence[float]) -> PieceTable:
-    """Return the pieces of an axis between the outer edges."""
     some = slice(max(axis.index_at(edges[0]) - 1, 0), axis.index_at(edges[-1]) + 1)
     return PieceTable(axis.starts[some], axis.profiles[some])
 
 
 def _times(tables: Sequence[PieceTable], counts: Sequence[float], edges: Array) -> list[float]:
-    """Return the knots of two axes between the outer edges, and the extremes of their distance."""
     origins = np.concatenate([edges, *(table.origins for table in tables)])
     knots = np.unique(origins[(origins >= edges[0]) & (origins <= edges[-1])])
     if any(table.columns[4].any() for table in tables):
@@ -139,7 +137,6 @@ def _candidates(
 
 
 def _values(table: PieceTable, times: Array, order: int) -> Array:
-    """Return derivative `order` of the position of a table, in counts."""
     piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
     return piece_values(table.columns, piece, times - table.origins[piece], order)
 

@@ -197,14 +197,12 @@ def difference(old: Report, new: Report, tolerance: Tolerance = EXACT) -> Differ
 
 
 def _whole(moves: list[Move], cycle: Mapping[str, Any] | None) -> list[Move]:
-    """Return moves without those of a cycle that the end of the run cuts off."""
     if cycle is None:
         return moves
     return [each for each in moves if each.get("ended") != END_OF_RUN or each["line"] not in cycle["lines"]]
 
 
 def _at_any_time(axes: Any) -> Any:
-    """Return the axes at the end of a run without their positions."""
     return [{name: value for name, value in each.items() if name not in POSITIONS} for each in axes or ()]
 
 
@@ -312,7 +310,6 @@ def _moments(a: Move, b: Move) -> list[tuple[float, int, float]]:
 
 
 def _figures(a: Move, b: Move, tolerance: Tolerance) -> Iterator[tuple[str, Any, Any]]:
-    """Yield the fields in which two moves differ, with both values."""
     for name in ("duration", "distance", "start", "end", "peak_speed", "commanded_speed", "profile", "ended"):
         was, is_ = a.get(name), b.get(name)
         if (was != is_ or was.__class__ is not is_.__class__) and not tolerance.same(was, is_, name):
@@ -349,7 +346,6 @@ def _prints(found: Difference, old: list[str], new: list[str], is_cut: bool) -> 
 
 
 def _events(found: Difference, old: list[Move], new: list[Move], tolerance: Tolerance, is_cut: bool) -> None:
-    """Compare events by content and line; shifts along with the motion do not count."""
     shifts = sorted(found.later)
     for i, j in _both_reach(aligned(old, new, _by_happening, _by_axis), is_cut):
         was, is_ = None if i is None else old[i], None if j is None else new[j]
@@ -398,7 +394,6 @@ def _by_axis(event: Any) -> tuple[object, ...]:
 
 
 def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
-    """Compare diagnostics by their text, not their location."""
     before = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in old]
     after = [f"{each['severity']}[{each['code']}]: {_LINE.sub('line', each['message'])}" for each in new]
     for i, j in aligned(before, after, str):
@@ -409,7 +404,6 @@ def _errors(found: Difference, old: list[Move], new: list[Move]) -> None:
 
 
 def _others(path: str, old: object, new: object, tolerance: Tolerance, field: str = "") -> Iterator[str]:
-    """Yield every difference between two JSON values, by its path in the document."""
     if isinstance(old, dict) and isinstance(new, dict):
         for name in sorted(old.keys() | new.keys()):
             if name in LOCATION_FIELDS:

@@ -51,7 +51,6 @@ class Timeline:
         heapq.heappush(self._ends[side], (end, self._number, shift))
 
     def _before(self, side: int, start: float) -> End:
-        """Return the last move of a run that ended before `start`."""
         ends = self._ends[side]
         while ends and ends[0][0] <= start + _NEAR:
             last = heapq.heappop(ends)

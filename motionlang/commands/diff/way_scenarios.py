@@ -44,7 +44,6 @@ def write_scenarios(
 
 
 def _text(found: WaysCompared, each: FoundDifference, names: Names) -> str | None:
-    """Return the text of a scenario that shows a difference; None if none passes on A and fails on B."""
     shown = [acts[0].begin for acts in (each.difference.a, each.difference.b) if acts]
     last = max((time for time, _ in each.way.timeline), default=0.0)
     until = round(max(shown, default=min(each.a.time, each.b.time)) + BEYOND, 2)

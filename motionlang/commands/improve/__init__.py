@@ -254,7 +254,6 @@ class Improver:
     # ------------------------------------------------------------------------------------------------ the answer
 
     def _known(self, names: Iterable[str], *others: str) -> set[str]:
-        """Return names of numbers in one spelling; NotPossible if a name is none, nor one of some others."""
         known = {*others, *(name for each in self.literals for name in _names_of(each))}
         found = set()
         for each in names:
@@ -314,7 +313,6 @@ class Improver:
         return list(edits.values())
 
     def _jointly(self, candidates: Sequence[Literal]) -> tuple[float, list[Edit]]:
-        """Return the cycle with all literals at their limits, and the edits it takes; none if that is forbidden."""
         edits = []
         for literal in candidates:
             highest, words = self._rates.get(literal.address, (inf, ""))
@@ -337,8 +335,6 @@ class Improver:
         return self._judge(values)[0], edits
 
     def _least(self, edit: Edit, values: Mapping[str, float], cost: float) -> float:
-        """Return the value nearest to the original with the same cycle as that of an edit."""
-
         def is_enough(value: float) -> bool:
             return self._is_within({**values, edit.literal.address: value}, cost * (1.0 + ENOUGH))
 
@@ -351,7 +347,6 @@ class Improver:
         return round_ if is_enough(round_) else high
 
     def _together(self, left: Sequence[Literal], edits: Mapping[str, Edit], best: float) -> list[Edit]:
-        """Return edits of what single steps have left that gain together, none if they do not."""
         base = {each.literal.address: each.value for each in edits.values()}
         values = dict(base)
         found = []
@@ -374,8 +369,6 @@ class Improver:
         return found
 
     def _furthest(self, literal: Literal, values: Mapping[str, float], best: float) -> float:
-        """Return the largest value of a literal that is allowed and loses nothing."""
-
         def is_allowed(factor: float) -> bool:
             return self._is_within({**values, literal.address: literal.value * factor}, best * (1.0 + WORTH))
 
@@ -387,7 +380,6 @@ class Improver:
         return _rounded(literal.value * low, True) if low > 1.0 else literal.value
 
     def _proven(self, edits: Sequence[Edit]) -> list[Edit]:
-        """Return edits without those that fail in the whole run or in a scenario."""
         if not edits or not self._failure(edits):
             return list(edits)
         left: list[Edit] = []
@@ -401,7 +393,6 @@ class Improver:
         return left
 
     def _failure(self, edits: Sequence[Edit]) -> str:
-        """Return why some edits are not allowed in the whole run and in all scenarios; "" if they are."""
         values = {each.literal.address: each.value for each in edits}
         result = self._trial(self.world, values, self._worker)
         reason = self._whole.difference(result, self._starts(result)) or self._beyond(result)
@@ -418,7 +409,6 @@ class Improver:
         return ""
 
     def _chosen(self, edits: Sequence[Edit], by: float, most: int) -> list[Edit]:
-        """Return the fewest of some edits that gain a share, or the best set of at most `most`."""
         if not (by or most) or len(edits) <= 1:
             return list(edits)
         pool = sorted(edits, key=lambda each: self._tried([each]))[:MAX_EDITS]
@@ -434,7 +424,6 @@ class Improver:
         return best if most else list(edits)
 
     def _tried(self, edits: Sequence[Edit]) -> float:
-        """Return the cycle with some edits; infinite if something forbids it."""
         values = {each.literal.address: each.value for each in edits}
         cost, reason = self._judge(values)
         return inf if reason else cost
@@ -496,21 +485,18 @@ class Improver:
         return found
 
     def _may_set(self, literal: Literal) -> bool:
-        """True if a literal is written to a rate, or to a variable that may lead to one."""
         if not (literal.is_write and literal.value):
             return False
         at = self._offsets[max(bisect_right(self._offsets, literal.offset) - 1, 0)]
         return at in self._leading or literal.base.lower() in self._words
 
     def _lowered(self, literal: Literal) -> Run | None:
-        """Return the run with a lower value of a literal; None if the program has an error then."""
         try:
             return self._trial(self.world, {literal.address: literal.value * LOWER})
         except ProgramError:
             return None
 
     def _cap(self, literal: Literal, changes: Iterable[MoveChange]) -> tuple[float, str]:
-        """Return the highest value of a literal by the limits of what follows it, in words, too; infinite without."""
         found = [
             (abs(literal.value) * each.limit / change.value, _limit_text(each))
             for change in changes
@@ -538,7 +524,6 @@ class Improver:
         )
 
     def _free(self, candidates: Sequence[Literal]) -> list[Literal]:
-        """Return the literals that may be changed: those that the process does not need as they are."""
         speeds = [each for each in candidates if self._moves[each.address]]
         free = []
         for literal in candidates:
@@ -550,7 +535,6 @@ class Improver:
         return free
 
     def _why_held(self, literal: Literal, speeds: Sequence[Literal]) -> str:
-        """Return why a literal stays as it is; "" if it may be changed."""
         names = _names_of(literal)
         if names & self._hold:
             return AS_SAID
@@ -566,7 +550,6 @@ class Improver:
     def _search(
         self, literal: Literal, values: Mapping[str, float], best: float
     ) -> tuple[float, Edit | None]:
-        """Return the shortest cycle with another value of one literal, on top of other values."""
         was = values.get(literal.address, literal.value)
         if not was:
             return best, None
@@ -585,8 +568,6 @@ class Improver:
     def _along(
         self, literal: Literal, was: float, values: Mapping[str, float], best: float, grows: bool
     ) -> tuple[float, Edit | None, str]:
-        """Return the shortest cycle with a larger, or a smaller, value of a literal, and what bounds it."""
-
         def judged(factor: float) -> tuple[float, str]:
             value = was * factor if grows else was / factor
             round_ = _rounded(value, grows)
@@ -639,7 +620,6 @@ class Improver:
         return Source(self.source.name, replaced(self.source.text, edits))
 
     def _judge(self, values: Mapping[str, float]) -> tuple[float, str]:
-        """Return the cycle with some values, and why they are not allowed; "" if they are."""
         for address, value in values.items():
             # Also a speed that no move reaches is none that the machine allows.
             highest, words = self._rates.get(address, (inf, ""))
@@ -651,12 +631,10 @@ class Improver:
         return cost, reason or ("" if 0.0 < cost < inf else "nothing repeats any more")
 
     def _is_within(self, values: Mapping[str, float], most: float) -> bool:
-        """True if some values are allowed, and the cycle takes no longer than `most`, s."""
         cost, reason = self._judge(values)
         return not reason and cost <= most
 
     def _beyond(self, result: Run) -> str:
-        """Return the first limit that a run exceeds; "" if it keeps all."""
         for each in certificate(result.controller, result.machine.settings, result.time):
             before = self._exceeded.get((each.axis, each.name))
             if each.verdict == "exceeded" and (before is None or (each.margin or 0.0) < before - SAME):
@@ -664,7 +642,6 @@ class Improver:
         return ""
 
     def _run(self, world: ExpectedWorld) -> Run:
-        """Return the run of the program as it is in a world."""
         self._count()
         settings = CheckedSettings(world.settings)
         return run(self._worker.program(settings), machine=settings, until=self.until)
@@ -672,7 +649,6 @@ class Improver:
     def _trial(
         self, world: ExpectedWorld, values: Mapping[str, float], worker: SweepWorker | None = None
     ) -> Run:
-        """Return the run in a world with other values of some literals, by default of a few cycles."""
         given = {name: number(name, value) for name, value in {**self._numbers, **values}.items()}
         used = worker or self._short
         if world is not self.world:
@@ -711,11 +687,9 @@ class Improver:
         self._progress(self._runs)
 
     def _starts(self, result: Run) -> Sequence[float]:
-        """Return the times at which the cycles of a run begin; none if it has none."""
         return cycle_times(result, self.cycle) if self.cycle else ()
 
     def _cost(self, result: Run) -> float:
-        """Return the cycle of a run, s; infinite if it has none."""
         found = cycle_of(result, self.cycle) if self.cycle else result.time
         return inf if found is None else float(found)
 
@@ -748,7 +722,6 @@ def _limit_text(limit: CertifiedLimit) -> str:
 
 
 def _names_of(literal: Literal) -> set[str]:
-    """Return the names of a literal that a user may type."""
     names = canonical(literal.address) or literal.address, literal.base
     return {*names, *(each.lower() for each in names)}
 
@@ -776,7 +749,6 @@ def _leading_to_rates(structure: Structure) -> dict[int, str]:
 
 
 def _is_rate(use: Use) -> bool:
-    """True if a keyword is written that sets a speed, a rate, a jerk, or what else bounds these."""
     row = use.row
     if row is None or use.role == "read":
         return False
@@ -784,14 +756,12 @@ def _is_rate(use: Use) -> bool:
 
 
 def _works(run: Run) -> bool:
-    """True if a run does more than home its axes."""
     table = run.dialect.table()
     moves = run.machine.log.moves
     return not len(moves) or not all(table.homes(move.command) for move in moves)
 
 
 def _what_sets(run: Run) -> str:
-    """Return the line that takes the most of the critical path, in words."""
     share = next((each for each in TimeProfile(run).lines() if each.line), None)
     if share is None:
         return ""
@@ -817,7 +787,6 @@ def _roundest(one: float, other: float) -> float:
 
 
 def _rounded(value: float, grows: bool) -> float:
-    """Return a value with three digits, not beyond it."""
     size = 10.0 ** (floor(log10(abs(value))) - 2)
     steps = value / size
     near = round(steps)

@@ -162,7 +162,6 @@ def _table(move: dict[str, float], given: set[str], assumed: set[str], behind: d
 
 
 def _remarks(notes: list[str], programs: dict[str, str], colour: bool) -> list[str]:
-    """Return the notes and the programs below the table."""
     lines: list[str] = []
     if notes:
         lines += ["", *(f"{styled('note:', 'note', colour)} {note}" for note in notes)]

@@ -67,7 +67,6 @@ def _ranges(given: dict[str, float]) -> list[str]:
 
 
 def _rates(given: dict[str, float], factor: float) -> str:
-    """Return the given rates, multiplied by a factor, as text."""
     return " and ".join(f"{name} {given[name] * factor:.6g}" for name in ("accel", "decel") if name in given)
 
 

@@ -368,7 +368,6 @@ class CriticalPath:
 
 
 def _behind(phases: Phases, seconds: float) -> Phases:
-    """Return the phases that remain after `seconds`."""
     for number, (name, duration) in enumerate(phases[:-1]):
         if seconds < duration:
             return (name, duration - seconds), *phases[number + 1 :]

@@ -255,7 +255,6 @@ class Adapter:
             self.event("progressEnd", {"progressId": ended})
 
     def _report(self, stop: Stop | None) -> None:
-        """Report a stop, or the end of the program."""
         if self.phase == ENDED:
             return
         for text in self._debugger.problems():

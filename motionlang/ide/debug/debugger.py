@@ -493,7 +493,6 @@ class Debugger:
     def _go_on_to(
         self, number: int, decide: Callable[[StopPoint], bool] | None = None, time: float = INFINITY
     ) -> StopPoint | None:
-        """Go on like `_go_to`."""
         replay = self._replay
 
         def there(point: StopPoint) -> bool:

@@ -284,7 +284,6 @@ def _entries(settings: Settings, name: str) -> Sequence[Entry]:
 
 
 def _along(entry: Entry) -> Iterator[Entry]:
-    """Yield an entry for each repetition along the travel."""
     for n in range(int(_number(entry, "times"))):
         yield {**entry, "between": [bound + n * _number(entry, "every") for bound in _span(entry)]}
 

@@ -106,3 +106,7 @@ class Dependencies:
     def at_once(self, *about: object) -> float:
         """Return the present time, for a value that may change at any time."""
         return self.clock.now
+
+    def ticks(self, base: float, until: Callable[..., float]) -> float:
+        """Return the present time, for the milliseconds since `base`, which pass a level at `until(base, level)`."""
+        return self.clock.now

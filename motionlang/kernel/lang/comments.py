@@ -381,7 +381,6 @@ def _certain(items: Sequence[_Item]) -> list[_Item]:
 
 
 def _name(text: str) -> str:
-    """Return the name at the start of a text."""
     end = _END.search(text)
     name = (text[: end.start()] if end else text).strip(" .*")
     if not re.search(r"\w ?[-+]$", name) or (end is not None and text[end.end() :][:1].isdigit()):

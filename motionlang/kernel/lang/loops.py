@@ -42,7 +42,7 @@ from motionlang.kernel.lang.change_times import CLOSE, MAX_NOTES, Dependencies, 
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.statement_time import UNITS, StatementTime, units
 from motionlang.kernel.lang.steps import Steps, own
-from motionlang.kernel.lang.variable_uses import NONE, UNKNOWN, Copy, IterationUses, body_of
+from motionlang.kernel.lang.variable_uses import NONE, UNKNOWN, Copy, IterationUses, Span, body_of
 from motionlang.kernel.lang.waits import ROUNDING, Delay, Wait
 
 if TYPE_CHECKING:
@@ -99,6 +99,8 @@ LARGEST = 2.0**31
 MAX_ROWS, MAX_TOGGLED = 64, 8
 # An iteration with more waits for a time is not skipped.
 MAX_DELAYS = 100
+# Variables that move with a clock are relied upon for so long, s, and no clock reaches so many milliseconds.
+MAX_SPAN, FAR = 3600.0, 2.0**62
 
 
 class Mark(NamedTuple):
@@ -144,6 +146,8 @@ class LoopState:
     # The last state at the same place, and by how much numbers and margins differ from it; None if not known.
     before: LoopState | None = None
     change: list[float] | None = None
+    # The variables that are set before they are read since the state that it was compared with last.
+    overwritten: frozenset[int] = NONE
 
 
 class Loops:
@@ -343,7 +347,6 @@ class Loops:
             dependencies.notes = self.task.notes
 
     def _mark(self, now: LoopState) -> None:
-        """Record how much has been read and compared before a state."""
         dependencies = self.world.dependencies
         if self.task is not None:
             if dependencies.notes is None:
@@ -418,10 +421,9 @@ class Loops:
 
     def _change(self, last: LoopState, now: LoopState) -> list[float] | None:
         """Return by how much each number that matters has changed; None if anything else is different."""
+        overwritten = now.overwritten = self._overwritten(last, now)
         if last.numbers == now.numbers and list(map(type, last.numbers)) == list(map(type, now.numbers)):
             return [0] * len(now.numbers)
-        is_alone = last.turns == now.turns and last.strayed == now.strayed
-        overwritten = now.body.overwritten if is_alone else NONE
         change: list[float] = []
         for (_, variable), one, other in zip(self._variables(), last.numbers, now.numbers, strict=True):
             if (one == other and type(one) is type(other)) or variable in overwritten:
@@ -431,6 +433,19 @@ class Loops:
             else:
                 return None
         return change
+
+    def _overwritten(self, last: LoopState, now: LoopState) -> frozenset[int]:
+        """Return the variables that the iterations since a state have set before they read them."""
+        task, body = self.task, now.body
+        if task is None or last.turns != now.turns or last.strayed != now.strayed:
+            return NONE
+        if list(task.met.values()) != [last] or self._depends_on_turns(task):
+            return body.overwritten  # there may be several
+        (notes,) = [
+            read.since(self.world.dependencies.notes or []) for each, read in last.read if each is task
+        ]
+        copies = {mark for mark, _ in notes or () if type(mark) is Copy}
+        return body.overwritten.union(each.variable for each in copies if body.is_set_first(each))
 
     def _only_counts(self, task: StepTask, now: LoopState, last: LoopState) -> bool:
         """True if the changing numbers are only added and compared, and add up exactly."""
@@ -477,7 +492,7 @@ class Loops:
         if asking is not None:
             asking.repeats(began, here)
         is_alone = now.turns == last.turns
-        stable = self._stable_until(task, now, last, began, is_alone)
+        stable = self._stable_until(task, now, last, began, here, is_alone)
         kept = [
             wait
             for wait, then in zip(now.waits, last.waits, strict=True)
@@ -501,7 +516,7 @@ class Loops:
             until = min(until, scheduler.until)
         else:
             return t, None
-        if now.body.overwritten and now.strayed == last.strayed:
+        if now.overwritten or (now.body.overwritten and now.strayed == last.strayed):
             # The last iteration sets what the others would have set, so it is carried out.
             until, most = until - (here - began) - CLOSE, most - 1
         if not here < until < INFINITY:
@@ -606,35 +621,40 @@ class Loops:
                 records[index] += times * by
 
     def _stable_until(
-        self, task: StepTask, now: LoopState, last: LoopState, began: float, is_alone: bool
+        self, task: StepTask, now: LoopState, last: LoopState, began: float, here: float, is_alone: bool
     ) -> float:
         """Return the time until which all readings since `last` that matter stay unchanged."""
         dependencies = self.world.dependencies
         task.notes = dependencies.notes
         body = now.body if is_alone and now.strayed == last.strayed else UNKNOWN
-        matter: list[Note] = []
+        found: list[Note] = []
         for each, read in last.read:
             if each is not task and is_alone:
                 continue
             notes = read.since(each.notes) if each.notes is not None else None
             if notes is None:
                 return -INFINITY
-            matter += [
-                note
-                for note in notes
-                if not (isinstance(note[0], Copy) and body is not UNKNOWN and body.is_only_copied(note[0]))
-            ]
-        return dependencies.until(began - CLOSE, matter) - CLOSE
+            found += notes
+        clocks = body.clocks(found, now.overwritten, dependencies.ticks, (here - began) * 1000.0)
+        latest = began + MAX_SPAN if clocks else INFINITY
+        matter: list[Note] = []
+        for note in found:
+            mark, about = note
+            if isinstance(mark, Span) and mark.variable in clocks:
+                matter.append((about[0], (about[1], FAR)))
+            elif body is UNKNOWN or not (
+                isinstance(mark, Copy) and (mark.variable in clocks or body.is_only_copied(mark))
+            ):
+                matter.append(note)
+        return min(dependencies.until(began - CLOSE, matter) - CLOSE, latest)
 
     def _after(self, base: float, delays: list[tuple[float, float]]) -> float:
-        """Return the base of statements after some waits."""
         for count, seconds in delays:
             base = self.world.end_of_wait(base, count, seconds)
         return base
 
 
 def _body(loop: tuple[Steps, int, int]) -> IterationUses:
-    """Return what a loop does with variables: its steps, the first and the last."""
     steps, first, last = loop
     found = steps.bodies.get((first, last))
     if found is None:

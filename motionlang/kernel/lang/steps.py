@@ -94,6 +94,8 @@ class Uses(NamedTuple):
     nonlinear: frozenset[int] = frozenset()
     # and those that it only tests: a test of a reading says itself when its result changes.
     tests: frozenset[int] = frozenset()
+    # Those among `reads` that it only takes from a clock, which says itself when a test of the difference turns.
+    spans: frozenset[int] = frozenset()
     # The variables that it changes in part: an element or a member.
     parts: frozenset[int] = frozenset()
 

@@ -6,15 +6,19 @@ The facts are those of an analysis of liveness, backward through the steps (`Use
     linear        its value is only added, subtracted and compared, directly or after it has been copied
     used          the value that a step stores in it is used for more than tests
 
-A reading that is only stored in a variable that nothing uses may change without changing the loop (`Copy`).
+A reading that is only stored in a variable that nothing uses may change without changing the loop (`Copy`). So may that
+of a clock that is stored in a variable which is only compared with the clock (`Span`), as in `TIME - t0 > 500`: within
+an iteration both move together, so the difference is smaller than the time that an iteration takes.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from motionlang.kernel.lang.change_times import Note
 from motionlang.kernel.lang.steps import BACK, CALL, ENTER, GO, Steps, Uses
 
 NONE: frozenset[int] = frozenset()
@@ -30,6 +34,7 @@ class IterationUses:
     nonlinear: frozenset[int] | None = None
     # By the index of a step: the variables whose values are then used for more than tests.
     used_after: Sequence[frozenset[int]] = ()
+    uses: Sequence[Uses | None] = ()
     first: int = 0
 
     def is_linear(self, variable: int) -> bool:
@@ -43,6 +48,40 @@ class IterationUses:
             and copy.variable not in self.used_after[copy.step + 1 - self.first]
         )
 
+    def is_set_first(self, copy: Copy) -> bool:
+        """True if an iteration that has carried out the step of a copy has not read the variable before."""
+        before = self.uses[: max(copy.step + 1 - self.first, 0)]
+        return bool(before) and not any(
+            use is None or copy.variable in use.reads | use.parts for use in before
+        )
+
+    def clocks(
+        self, notes: Iterable[Note], overwritten: frozenset[int], ticks: object, milliseconds: float
+    ) -> set[int]:
+        """Return the variables that an iteration only sets to a clock, and only compares with that clock.
+
+        The iteration of so many `milliseconds` has read `notes`. The difference is no larger, so no test of it turns
+        whose level lies beyond.
+        """
+        found: defaultdict[int, set[tuple[Any, ...]]] = defaultdict(set)
+        steps: defaultdict[int, set[int]] = defaultdict(set)
+        for mark, about in notes:
+            if isinstance(mark, Copy) and mark.is_whole and about[0] == ticks:
+                found[mark.variable].add((about[2], about[1]))
+                steps[mark.variable].add(mark.step)
+            elif isinstance(mark, Span):
+                is_far = isinstance(mark.level, int | float) and not 0 <= mark.level <= milliseconds + 2
+                found[mark.variable].add(about[:2] if is_far else ())
+        for step, use in enumerate(self.uses, self.first):
+            for variable in found:
+                if use and (
+                    variable in use.reads - use.spans
+                    or (variable in use.sets | use.parts) is not (step in steps[variable])
+                ):
+                    found[variable].add(())
+        is_one = {each for each, clocks in found.items() if len(clocks) == 1 and () not in clocks}
+        return is_one & overwritten
+
 
 UNKNOWN = IterationUses()
 
@@ -53,6 +92,19 @@ class Copy:
 
     step: int
     variable: int
+    # True if it stores the reading itself, and no sum.
+    is_whole: bool = False
+
+    def __call__(self, until: Callable[..., float], *about: Any) -> float:
+        return until(*about)
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A dependency of a clock minus a variable, compared with a level."""
+
+    variable: int
+    level: object
 
     def __call__(self, until: Callable[..., float], *about: Any) -> float:
         return until(*about)
@@ -78,7 +130,7 @@ def body_of(steps: Steps, first: int, last: int) -> IterationUses:
         lambda use, after: (after - use.sets) | use.nonlinear | (use.reads if use.sets & after else NONE),
     )
     overwritten = NONE.union(*(each.sets for each in uses if each)) - live[0]
-    return IterationUses(overwritten, NONE.union(*nonlinear), [*used, NONE], first)
+    return IterationUses(overwritten, NONE.union(*nonlinear), [*used, NONE], uses, first)
 
 
 def _backward(

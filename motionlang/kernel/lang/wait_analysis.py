@@ -315,7 +315,6 @@ class WaitAnalysis:
 
 
 def _readings(made: Statement) -> set[Read]:
-    """Return the readings of a statement."""
     found = {read for use in made.uses for read in _read(use)}
     if made.waits and not made.condition:
         found |= {(made.waits, axis) for axis in made.what or (None,)}

@@ -199,7 +199,6 @@ def _frees(program: Program | None, controller: Controller, kind: str, axis: int
 
 
 def _reads(program: Program | None, task: Task, wait: Wait) -> frozenset[Read]:
-    """Return the values that the condition of a wait reads."""
     if wait.cause == "input" and wait.what:
         return frozenset(("input", channel) for channel in wait.what)
     if program is None:

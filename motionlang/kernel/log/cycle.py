@@ -489,7 +489,6 @@ class _Sequence:
         return sorted(chosen, key=lambda k: first[k])
 
     def _repetition(self, key: int) -> _Repetition:
-        """Return the blocks of a key."""
         block, times, starts = 0, array("d"), array("q")
         seen, inside = [0] * len(self.keys), [0] * len(self.keys)
         for place, number in enumerate(self.numbers):
@@ -531,7 +530,6 @@ class _Sequence:
         return is_over and bool(others) and others <= set(self.numbers[: self.numbers.index(found.key)])
 
     def _is_last_whole(self, found: _Repetition, has_ended: bool) -> bool:
-        """True if the last cycle has come to its end."""
         before = Counter(one for one, two in pairwise(self.numbers) if two == found.key)
         final = max(before, key=lambda k: (before[k], -k))
         start = len(self.numbers) - 1 - self.numbers[::-1].index(found.key)

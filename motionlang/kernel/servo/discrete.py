@@ -191,7 +191,6 @@ def _couple(plant: Motor, rows: list[list[float]], contact: int) -> None:
 
 
 def _current_row(plant: Motor) -> Row:
-    """Return the motor current as a row."""
     if plant.has_current_state:
         return 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0
     if plant.amplifier == "current":

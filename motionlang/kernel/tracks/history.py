@@ -235,7 +235,6 @@ class Reader:
         out[:] = values[np.maximum(np.searchsorted(numbers, wanted, "right") - 1, 0)]
 
     def _hold(self, begin: float, end: float) -> None:
-        """Load the blocks from `begin` to `end`."""
         if self._dropped and self._loaded and begin < self._loaded[0][0]:
             self._restart()
         while not self._loaded or self._end() <= end:

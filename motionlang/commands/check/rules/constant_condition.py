@@ -95,7 +95,6 @@ def _values(facts: MacroFacts, part: Part, commands: Mapping[int, Command]) -> d
 
 
 def _after(command: Command, known: Known) -> Known:
-    """Return the accumulator after a command."""
     if command.function == "load":
         return (float(command.value) if command.kind == NUMBER else None,)
     if command.pure:

@@ -51,7 +51,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 
 def _are_commands(text: str) -> bool:
-    """True if a text consists of valid commands."""
     line = line_of(text.strip())
     return line is not None and not any(problem(each) for each in line.commands)
 

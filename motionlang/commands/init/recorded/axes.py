@@ -232,7 +232,6 @@ def _lags(run: Run, recording: MeasuredRecording, strokes: Sequence[_Stroke]) ->
 
 
 def _lines(strokes: Sequence[_Stroke]) -> str:
-    """Return the lines that begin strokes."""
     lines = sorted({each.line for each in strokes})
     return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
 

@@ -235,7 +235,6 @@ def _added(lines: list[str], table: str, made: list[str]) -> list[str]:
 
 
 def _block(line: str) -> list[str]:
-    """Return an inline entry as the lines of a block."""
     body, _, comment = line.strip().partition("    # ")
     pairs = re.findall(r"(\w+) = (\[[^\]]*\]|\"(?:[^\"\\]|\\.)*\"|[^,}\s]+)", body)
     return [*([f"# {comment}"] if comment else []), *(f"{key} = {value}" for key, value in pairs)]

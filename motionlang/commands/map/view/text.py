@@ -195,7 +195,6 @@ def line_text(made: ProgramMap, line: int, *, width: int, colour: bool = False) 
 
 
 def _why_in_none(made: ProgramMap, behaviour: MachineBehaviour, line: int) -> str:
-    """Return why a line is in none of the states and ways."""
     never = next((each for each in behaviour.unreached if each.first <= line <= each.last), None)
     if never is not None and never.why:
         return f"never ran: {never.why}"

@@ -131,7 +131,6 @@ def _velocity(axis: Axis, begin: float, end: float) -> tuple[list[float], list[f
 
 
 def _moving(axis: Axis, begin: float, end: float) -> list[tuple[float, float]]:
-    """Return the spans in which an axis moves."""
     times, values = _velocity(axis, begin, end)
     return [(a, b) for (a, b), value in zip(pairwise(times), values, strict=False) if abs(value) > STANDING]
 

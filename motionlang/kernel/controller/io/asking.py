@@ -345,7 +345,6 @@ class Asking:
         query.event = self._clock.at(time, partial(self._answer, responder, query, rule, value))
 
     def _asks(self, responder: Responder, query: Query) -> bool:
-        """True if the task of a query still asks."""
         task, tasks = query.task, self._controller.tasks
         if not responder.is_listed(query) or task.done or query.value != responder.current():
             return False

@@ -106,7 +106,6 @@ def _unknown_to(model: Model, command: Command) -> Fault | None:
 
 
 def _not_simulated(command: Command) -> Fault | None:
-    """Return the warning about a command that is not simulated, or None."""
     if command.row is None or command.row.simulated:
         return None
     message = f"{command.name} is not simulated: the command has no effect"

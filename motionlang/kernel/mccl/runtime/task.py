@@ -338,7 +338,6 @@ _LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz "
 
 
 def _valid(until: float) -> float:
-    """Return until when a reading is valid."""
     return until
 
 

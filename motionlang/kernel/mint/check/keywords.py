@@ -101,7 +101,6 @@ def _write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -
 
 
 def _check_counts(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
-    """Check the number of axes and of values."""
     form = row.example.split("\n")[0]
     units = row.unit.split(", ")
     wanted = units.count("uu") if len(units) > 1 else 0

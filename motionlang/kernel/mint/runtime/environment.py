@@ -40,7 +40,6 @@ DAY = 86400.0
 
 
 def _apply_mint_settings(controller: Controller) -> None:
-    """Apply Mint's settings to the axes; an axis with an error accepts no motion."""
     for axis in controller.axes:
         mint_settings(controller, axis)
         controller.lock(axis, ALL)
@@ -120,7 +119,6 @@ class Environment(Waits):
                 self.power_up.set(axis)
 
     def _held(self, what: str, axis: int) -> None:
-        """Warn, once for each time that it is set, that a speed of 0 holds a move."""
         a = self.controller.axes[axis]
         move, at = a.move, a.zeroed_at
         if self.holds.get(axis) == at:
@@ -248,7 +246,7 @@ class Environment(Waits):
         dependencies = self.dependencies
         if dependencies.notes is not None:
             if level is None:
-                dependencies.note(dependencies.at_once)
+                dependencies.note(dependencies.ticks, base, self._counted)
             else:
                 dependencies.note(self._counted, base, level)
         return count

@@ -135,7 +135,6 @@ def repeat(w: UnitWriter, node: nodes.Repeat, block: Block) -> None:
 
 
 def _constant(node: nodes.Expr) -> Known | None:
-    """Return the value of a number or of a constant of the language, such as _TRUE; None for anything else."""
     is_name = isinstance(node, nodes.Name) and node.symbol is None
     return fold(node) if is_name or isinstance(node, nodes.Number) else None
 
@@ -185,7 +184,6 @@ def _kept(w: UnitWriter, found: Value) -> Value:
 
 
 def _goes_on(w: UnitWriter, node: nodes.For, stop: Value, by: Value) -> Get:
-    """Return the test of a For before each iteration; the sign of the step may be known only at run time."""
     counter, compare = expressions.linear(w, node.variable), w.program.environment.loops.compared
     w.reads |= stop.sum_of | by.sum_of
     up, down = (combined(op, counter, stop, compare).holds for op in ("<=", ">="))
@@ -196,7 +194,6 @@ def _goes_on(w: UnitWriter, node: nodes.For, stop: Value, by: Value) -> Get:
 
 
 def _body(w: UnitWriter, kind: str, node: Any, leaving: list[int], block: Block) -> None:
-    """Write the statements of a loop; an Exit in them is added to `leaving`."""
     at = w.at
     if not any(map(is_stop, node.body)):
         w.begins(at)  # so that a debugger can stop the loop
@@ -207,12 +204,10 @@ def _body(w: UnitWriter, kind: str, node: Any, leaving: list[int], block: Block)
 
 
 def _begin(w: UnitWriter) -> int:
-    """Write the step that notes the beginning of a loop."""
     return w.add(NOTE)
 
 
 def _end(w: UnitWriter, node: Any, noted: int, first: int, leaving: list[int]) -> None:
-    """Note the loop's end: at the steps behind it, to which every Exit leads."""
     last, at, environment = len(w.steps) - 1, w.steps[noted].at, w.program.environment
     w.steps.loops[last] = node
     w.steps[noted] = w.steps[noted]._replace(

@@ -73,7 +73,6 @@ def array(w: UnitWriter, node: nodes.Expr) -> Get:
 
 
 def _reference(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
-    """Return a ByRef argument: a list and an index, which the sub reads and writes."""
     is_variable = isinstance(node, nodes.Member) or (
         isinstance(node, nodes.Name)
         and node.symbol is not None

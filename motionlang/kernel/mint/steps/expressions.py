@@ -7,9 +7,11 @@ and be stored. Its steps are written first, and what was worked out before the c
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.steps import BRANCH, DO, Values, own
+from motionlang.kernel.lang.variable_uses import Span
 from motionlang.kernel.mint.resolve.symbols import (
     FLOAT,
     INTEGER,
@@ -120,6 +122,11 @@ def parts(node: object) -> Iterator[nodes.Node]:
             yield from parts(each.definition)
 
 
+def is_word(node: nodes.Expr) -> bool:
+    """True if an expression is a word of the language without arguments."""
+    return isinstance(node, nodes.Name) and node.symbol is None and not node.args
+
+
 # ------------------------------------------------------------------------------------------------------- names
 
 
@@ -146,6 +153,7 @@ def _variable(w: UnitWriter, node: nodes.Name, symbol: Symbol) -> Value:
         return _loaded(w, *place(w, node, symbol))
     number = w.program.places.number(symbol)
     w.reads.add(number)
+    w.spans.discard(number)
     kind = str(symbol.type) if symbol.type.name == RECORD else symbol.type.name
     return Value(whole(w, symbol), kind, sum_of=frozenset((number,)))
 
@@ -216,14 +224,11 @@ def member(w: UnitWriter, node: nodes.Member) -> Get:
 
 
 def _owner(w: UnitWriter, node: nodes.Member) -> Get:
-    """Return the function for the value that has a member."""
     where, which, _ = place(w, node.value)  # type: ignore[arg-type]
     return lambda values: where(values)[which(values)]
 
 
 def _loaded(w: UnitWriter, where: Get, which: Get, kind: Type) -> Value:
-    """Return the value of what is at a place."""
-
     def get(values: Values) -> Any:
         return where(values)[which(values)]
 
@@ -265,7 +270,19 @@ def _unary(w: UnitWriter, node: nodes.Unary) -> Value:
 def _binary(w: UnitWriter, node: nodes.Binary) -> Value:
     if node.op in ("And", "Or"):
         return _either(w, node.op, linear(w, node.left), node.right)
-    return _of_two(w, node.op, *values(w, (node.left, node.right), linear))
+    number, right = None, meant(node.right)
+    is_variable = (
+        isinstance(right, nodes.Name) and right.symbol is not None and right.symbol.kind == "variable"
+    )
+    if node.op == "-" and is_word(node.left) and is_variable and plain_variable(w, right) is not None:
+        number = w.program.places.number(w.symbol(right))
+    is_read = number in w.reads - w.spans
+    made = _of_two(w, node.op, *values(w, (node.left, right), linear))
+    if number is not None and made.solved is not None:
+        if not is_read:
+            w.spans.add(number)
+        made.solved = w.marking(partial(Span, number), made.solved)
+    return made
 
 
 def _of_two(w: UnitWriter, op: str, left: Value, right: Value) -> Value:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.steps import DO, NOW, TRY, Values
+from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, Type
 from motionlang.kernel.mint.runtime import binding
@@ -59,7 +60,6 @@ def _unsimulated(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
 
 
 def _write_to_each(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
-    """Write the values one by one: to each axis, or to the only place there is."""
     has_calls = w.has_steps(node)
     if has_calls:
         w.settle(node)
@@ -98,7 +98,6 @@ def _worked_out(w: UnitWriter, found: Value) -> Value:
 
 
 def _last(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> list[Get]:
-    """Return the arguments that follow the value in an operation."""
     if not row.simulated:
         return words.location(w, target, row)
     line = w.program.line(node.start)
@@ -120,7 +119,8 @@ def _store(
     act, get, sets = words.action(w, how, row, where), given.get, None
     if row.driven in words.HOST_MEMORY:
         sets = HOST_VARIABLE
-        get = w.copying(sets, get)
+        copy = Copy(len(w.steps), sets)
+        get = w.marking(lambda: copy, get)
     if last:
         w.add(DO, lambda values: act(values, get(values), *[each(values) for each in last]), cost=cost)
     else:
@@ -130,7 +130,6 @@ def _store(
 def _load(
     w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: list[Get], cost: float
 ) -> None:
-    """Write the step that loads a move; it waits while the buffer is full."""
     environment, get = w.program.environment, given.get
     load, axes = words.bound(w, "load", row, where), where[0].get
 

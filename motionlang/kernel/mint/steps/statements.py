@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, STOP, TURN, Values
+from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Function, Symbol, Type
 from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
 from motionlang.kernel.mint.steps.places import copied
@@ -70,12 +71,12 @@ def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) 
     if plain is not None:
         sets = w.program.places.number(plain)
         if found.solved is not None:
-            get = w.copying(sets, get)
+            copy = Copy(len(w.steps), sets, expressions.is_word(given))
+            get = w.marking(lambda: copy, get)
     w.add(DO, expressions.storing(w, target, where, which, get), cost=1.0, sets=sets)
 
 
 def _copy(w: UnitWriter, where: Get, which: Get, get: Get) -> None:
-    """Write the copy of a value of a user type."""
     environment = w.program.environment
 
     def copy(values: Values) -> None:
@@ -119,7 +120,6 @@ def _fill(w: UnitWriter, symbol: Symbol, gets: list[Get]) -> None:
 
 
 def _restore(w: UnitWriter, symbol: Symbol) -> None:
-    """Write the step that gives an nv variable the value that it had at the end of the previous run."""
     name = symbol.name.lower()
     if w.function.kind != "main":
         name = f"{w.function.name.lower()}.{name}"

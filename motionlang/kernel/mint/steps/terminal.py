@@ -77,7 +77,6 @@ def hidden(w: UnitWriter, name: str) -> Callable[..., Any]:
 
 
 def _text(w: UnitWriter, items: list[nodes.PrintItem], end: str) -> Get:
-    """Return the function for the text of several items."""
     found = expressions.values(w, [each.value for each in items])
     shown = [_shown(w, item, value) for item, value in zip(items, found, strict=True)]
     if len(shown) == 1:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.steps import BEGIN, CALL, JUMP, NOTE, NOW, RETURN, Uses, Values
-from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
-from motionlang.kernel.mint.steps.values import Get
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
 
@@ -27,8 +26,8 @@ _PURE = frozenset(("function", "constant"))
 class UnitWriter:
     """Writes the steps of one function.
 
-    `reads`, `nonlinear` and `parts` collect what the next step uses of the variables; `is_known` is False if it may
-    use others.
+    `reads`, `nonlinear`, `spans` and `parts` collect what the next step uses of the variables; `is_known` is False if
+    it may use others.
     """
 
     def __init__(self, program: ProgramWriter, function: Function) -> None:
@@ -51,6 +50,7 @@ class UnitWriter:
         """Begin with the variables of the next step."""
         self.reads: set[int] = set()
         self.nonlinear: set[int] = set()
+        self.spans: set[int] = set()
         self.parts: set[int] = set()
         self.is_known = True
 
@@ -72,7 +72,7 @@ class UnitWriter:
         if self.is_known and kind not in (CALL, RETURN):
             is_set = frozenset() if sets is None else frozenset((sets,))
             reads, nonlinear, parts = map(frozenset, (self.reads, self.nonlinear, self.parts))
-            uses = Uses(reads, is_set, nonlinear, parts=parts)
+            uses = Uses(reads, is_set, nonlinear, spans=frozenset(self.spans), parts=parts)
         self.forget_uses()
         return self.steps.add(kind, do, to, self.at, uses, cost, role)
 
@@ -114,17 +114,19 @@ class UnitWriter:
             environment = self.program.environment
             self.add(NOTE, lambda values: environment.task.loop_log.passed())
 
-    def copying(self, variable: int, get: Get) -> Get:
-        """Return the function for a reading that the next step only stores in a variable."""
-        dependencies, copy = self.program.environment.dependencies, Copy(len(self.steps), variable)
+    def marking(
+        self, mark: Callable[..., Callable[..., float]], get: Callable[..., Any]
+    ) -> Callable[..., Any]:
+        """Return the function for a reading, for a level if it has one, whose dependencies are marked."""
+        dependencies = self.program.environment.dependencies
 
-        def read(values: Values) -> Any:
+        def read(values: Values, *level: Any) -> Any:
             notes = dependencies.notes
             if notes is None:
-                return get(values)
+                return get(values, *level)
             first = len(notes)
-            found = get(values)
-            notes[first:] = [(copy, (until, *about)) for until, about in notes[first:]]
+            found = get(values, *level)
+            notes[first:] = [(mark(*level), (until, *about)) for until, about in notes[first:]]
             return found
 
         return read
@@ -206,7 +208,6 @@ def _end(body: list[nodes.Stmt], label: nodes.Node, jump: nodes.Node) -> nodes.S
 
 
 def _bodies(node: nodes.Stmt) -> list[list[nodes.Stmt]]:
-    """Return the blocks of a statement."""
     if isinstance(node, nodes.Select):
         return [case.body for case in node.cases]
     if isinstance(node, nodes.If):

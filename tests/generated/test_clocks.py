@@ -1,0 +1,50 @@
+"""A loop that takes the time does the same with identical iterations skipped and with none skipped."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang.kernel.execution import run
+from motionlang.kernel.source import Source
+from tests.cases import examples
+from tests.generated.clocks import is_equal
+from tests.generated.compared import counting_skips
+
+# Seeds of the normal run, of a long one in batches, and of programs that an earlier rule skipped too far.
+SLICE, BATCHES, BATCH = 20, 20, 100
+FOUND = (20157, 20574)
+IDLE = """\
+tt = TIME
+REPEAT
+  IF NOT INX.0 AND NOT INX.1 THEN tt = TIME
+UNTIL (INX.0 AND INX.1) OR TIME - tt > 500
+? TIME
+"""
+
+
+@pytest.mark.parametrize(("inputs", "end"), [(((0, 29), (1, 29.2)), 29.2), (((0, 29), (1, 30)), 29.501)])
+def test_a_loop_that_takes_the_time_is_skipped(inputs: tuple[tuple[int, float], ...], end: float) -> None:
+    entries = [{"channel": channel, "at": at} for channel, at in inputs]
+    skips: list[int] = []
+    with counting_skips(skips):
+        made = run(Source("a.prg", IDLE), machine={"input": entries})
+    assert (made.status, len(made.machine.log.prints)) == ("ended", 1)
+    assert made.time == pytest.approx(end, abs=0.001)
+    assert sum(skips) > 280_000
+
+
+@pytest.mark.parametrize("seed", FOUND)
+def test_a_program_that_was_skipped_too_far(seed: int) -> None:
+    assert is_equal(seed)
+
+
+@pytest.mark.slow
+def test_a_slice_of_programs_does_the_same() -> None:
+    assert [seed for seed in range(examples(SLICE)) if not is_equal(seed)] == []
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_programs_do_the_same(batch: int) -> None:
+    first = SLICE + batch * BATCH
+    assert [seed for seed in range(first, first + BATCH) if not is_equal(seed)] == []
