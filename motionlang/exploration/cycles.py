@@ -42,16 +42,17 @@ SAID, WRONG = 2.0, 20.0
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
-    "bad|reject|fail|error|fault|alarm|scrap|jam|missing|time.?out|broken|stuck|lost|empty|emergency|refus"
-    r"|\bnok\b|guard(?=\W*$|\W+(?:is\W+)?(?:open|up|off|not))"
+    r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|missing|time.?out|broken|stuck|lost|empty|emergency|refus"
+    r"|\bnok\b|\btoo\b|\blate\b|(?<!under )guard(?=\W*$|\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
 )
-_STOPPED = re.compile("stopped", re.IGNORECASE)
+# What a program says when it stops, but for its start.
+STOPPED = re.compile("stopped", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
-_ALARM = re.compile(r"alarm|fault|error|fail|reject|scrap|\bbad\b|horn|siren|buzzer", re.IGNORECASE)
+_ALARM = re.compile(r"alarm|\bfault|error|fail|reject|scrap|\bbad\b|horn$|siren|buzzer", re.IGNORECASE)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
@@ -89,6 +90,11 @@ class MachineCycle:
         return {(each.channel, each.value) for each in made}
 
     @property
+    def begun(self) -> frozenset[int]:
+        """The source offsets of the statements that begin in its transitions."""
+        return frozenset[int]().union(*(each.begun for each in self.transitions))
+
+    @property
     def asked(self) -> list[RestState | None]:
         """Its states that ask a question."""
         return [each.source for each in self.transitions if any(one.table == "answer" for one in each.causes)]
@@ -111,7 +117,8 @@ class MachineCycle:
 
 def alarms_in(names: Iterable[Named]) -> frozenset[int]:
     """Return the outputs whose names in comments say that something is wrong."""
-    return frozenset(each.number for each in names if each.kind == "output" and _ALARM.search(each.name))
+    kinds = ("output", "channel")
+    return frozenset(each.number for each in names if each.kind in kinds and _ALARM.search(each.name))
 
 
 class _Known(NamedTuple):
@@ -142,7 +149,7 @@ def cycles(
     # The states that a person leaves, and those that only end by themselves.
     left = {state for state, node in nodes.items() if any(map(_is_done, node.transitions))}
     begins = [_said(node.transitions) for node in nodes.values() if node.state is None]
-    stops = any(map(_STOPPED.search, chain.from_iterable(begins)))
+    stops = any(map(STOPPED.search, chain.from_iterable(begins)))
     known = _Known(statements, frozenset[int]().union(*moved), left, alarms, stops)
     found = [*_loops(nodes, known), *_runs(nodes, known), *_without_rest(work, known)]
     best: dict[object, MachineCycle] = {}
@@ -335,6 +342,6 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = _said(transitions)
-    faults = wrong(said) + (0 if known.stops else len(list(filter(_STOPPED.search, said))))
+    faults = wrong(said) + (0 if known.stops else len(list(filter(STOPPED.search, said))))
     value -= WRONG * (1.0 + faults / len(said)) if faults else -SAID * bool(said)
     return value + STATE - SWITCHED * len(outputs)

@@ -34,7 +34,10 @@ def exploration_text(
         lines += ["", _head(node, structure), *_rows(node, line)]
     if cycles:
         lines += ["", "cycles", *(f"  {_cycle(each, line)}" for each in cycles[:MAX_CYCLES])]
-        lines += ["", *(["cut off before its world was found"] if world is None else _world(world))]
+    if world is None:
+        lines += ["", "cut off before its world was found"]
+    elif cycles or world.settings:
+        lines += ["", *_world(world)]
     return "\n".join(lines) + "\n"
 
 

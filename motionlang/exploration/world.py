@@ -54,10 +54,12 @@ SOON = 0.1
 MOMENT = 0.02
 # A world is compared for this much longer than the played run.
 LONGER = 1.5
-# An input that comes and goes, s.
-PULSES = {"at": 1.0, "for": 1.0, "every": 2.0}
+# An input that comes and goes, and how often, s.
+EVERY = 2.0
+PULSES: Entry = {"at": 1.0, "for": 1.0, "every": EVERY}
 # An input that is on from the start, and one that answers.
-ON, ASKED = {"at": 0.0}, {"asked": DELAY}
+ON: Entry = {"at": 0.0}
+ASKED: Entry = {"asked": DELAY}
 # The tables of numbers of a host, and those whose entries may happen again by themselves.
 NUMBERS = ("comms", "netdata", "modbus.register")
 WRITES = (*NUMBERS, "key")
@@ -89,7 +91,10 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     best: tuple[tuple[bool, bool, int], MachineCycle, Trial] | None = None
     explained = 0
     wanted = True, True, min(times, ENOUGH)
+    most = explorer.trials.work + explorer.whole
     for cycle in _latest_first(explorer, likeliest)[:PLAYED]:
+        if explorer.trials.work > most:
+            break
         trial = _best_played(explorer, cycle, times)
         found, often = quality(cycle, trial), count(cycle, trial)
         is_worse = best is not None and best[0][0] and _is_worse(cycle, best[1])
@@ -196,6 +201,8 @@ class _Description:
 
     def __init__(self, explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial) -> None:
         self._explorer, self._count, self._cycle, self._trial = explorer, count, cycle, trial
+        # Rules are tried by so much work.
+        self._most = explorer.trials.work + explorer.whole
         self._owners = explorer.program.structure.owners()
         end = _end_of(cycle, trial)
         moves = ((each.begin, each.axis, each.line, each.is_short) for each in trial.moves)
@@ -209,7 +216,7 @@ class _Description:
             elif change.table in WRITES:
                 self._writes[change].append(time)
         most = max(map(len, self._flips.values()), default=0)
-        self._until = LONGER * end + PULSES["every"] * most
+        self._until = LONGER * end + EVERY * most
         self._axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
         self._along, self._beyond = along(trial, self._axes), beyond(trial, self._axes)
         self._outputs = channels((each.channel, each.time, each.value) for each in trial.outputs)
@@ -229,7 +236,6 @@ class _Description:
         self._describe_as_pulses()
         self._describe_writes()
         self._describe_others()
-        self._take(self._released())
         settings = dict(self._settings)
         inputs = settings.pop("input", [])
         settings |= {"input": inputs} if inputs else {}
@@ -256,6 +262,8 @@ class _Description:
         others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
         takes: tuple[Callable[[Settings], bool], ...] = (self._does_no_more, self._does_more)
         for takes_it, number in product(takes, sorted(others) if self._cycle.repeats else ()):
+            if self._explorer.trials.work > self._most:
+                break
             settings = self._with([{"channel": number, **ON}], number)
             if settings != self._settings and takes_it(settings):
                 self._settings = settings
@@ -273,7 +281,7 @@ class _Description:
     def _take(self, tried: Iterable[Settings]) -> None:
         """Take the first settings that hold."""
         for each in tried:
-            if each == self._settings or self._holds(each):
+            if each == self._settings or (self._explorer.trials.work < self._most and self._holds(each)):
                 self._settings = each
                 return
 
@@ -412,26 +420,6 @@ class _Description:
             return output in self._blinking, fsum(leads), output, "value" in each
 
         return sorted(found, key=order)
-
-    def _released(self) -> Iterator[Settings]:
-        """Yield rules with which the run does not end in a wait for an input that is always on to be off.
-
-        It follows the output that was switched last.
-        """
-        result = self._explorer.trials.run_in(self._settings, WHOLE)[0]
-        scheduler = result.machine.scheduler
-        waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
-        stuck = {
-            number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what
-        }
-        latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
-        inputs = entries(self._settings, "input")
-        on = [number for number in sorted(stuck) if {"channel": number, **ON} in inputs]
-        for number, output, inverted in product(on, latest, ({}, {"value": 0})):
-            entry: Entry = {"channel": number, "output": output, "delay": DELAY, **inverted}
-            tried = self._with([entry], number)
-            if self._explorer.trials.run_in(tried, WHOLE)[0].status != "fault":
-                yield tried
 
 
 def _end_of(cycle: MachineCycle, trial: Trial) -> float:
