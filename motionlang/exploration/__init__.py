@@ -61,6 +61,7 @@ from motionlang.exploration.further import goes_further
 from motionlang.exploration.playing import played
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
+from motionlang.exploration.simple import better_world
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import (
@@ -311,6 +312,7 @@ def explore(
             found, left = Exploration(explorer), left - 1
         if left and explorer.explore(left * BEHIND * work):
             found = Exploration(explorer)
+        found.world = better_world(explorer, found.world, found.cycles)
     except Interrupted as at:
         if not keeps:
             raise

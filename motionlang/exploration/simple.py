@@ -1,0 +1,251 @@
+"""Simple worlds, tried where the world of the likeliest cycle does little or no good work.
+
+Problem. A program of ten lines that runs once may wait for nothing: it looks at an input once, counts it while an axis
+jogs, or takes what a host has written. No state asks for what it needs. Or the likeliest cycle is a side job of a menu.
+
+Idea. Nothing is concluded: the program runs in simple worlds. Other inputs than those of a cycle are off, on, or answer
+when they are asked for. From the world in which most of the program is carried out each channel takes the rule with
+which a run is worth most, one after the other, until none is worth more.
+
+What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
+printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
+
+Cost. A share of the work of the exploration, and one run where the world that was found is a good one.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import chain
+from math import inf
+from typing import NamedTuple
+
+from motionlang.exploration.changes import Channel, entries, keys_of, number_in
+from motionlang.exploration.cycles import STOPPED, MachineCycle, wrong
+from motionlang.exploration.search import Explorer
+from motionlang.exploration.states import DELAY
+from motionlang.exploration.trials import is_short_move, plain, without_figures
+from motionlang.exploration.world import ASKED, ON, PULSES, FoundWorld, world_of
+from motionlang.identification import Entry, place
+from motionlang.kernel import Run
+
+# The share of the work of an exploration that simple worlds may take, and the length of a run, s.
+SHARE, LENGTH = 0.2, 60.0
+# A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
+# must be worth so much more.
+LITTLE, OTHERS, MORE = 0.5, 2, 1.0
+# What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
+ENOUGH, HALF = 3, 0.5
+# What counts for a run: all statements, a line that moves to a target, another motion, an output, a printed line, its
+# end. Against it: a line that says what is wrong, a wait that never ends, and no motion where axes should move.
+WHOLE, MOVE, JOG, OUTPUT, SAID, ENDS = 4.0, 1.5, 0.5, 0.5, 2.0, 2.0
+WRONG, NEVER, NOTHING = 4.0, 3.0, 5.0
+# A sensor behind an output takes so long, s, and a push of a button.
+SOON, PUSH = 0.1, 1.0
+# So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
+MARKS, LENGTHS, ALL = 7, 3, 300
+# Levels and numbers that are tried.
+LEVELS, NUMBERS = (30.0, 50.0, 70.0), (1, 2, 3, 10, 100)
+
+Settings = Mapping[str, object]
+
+
+class Tried(NamedTuple):
+    """A run in a world: the statements that begin, their share of the program, its worth, and if its work is good.
+
+    `fault` is what it prints that is wrong, "" if its work is good or nothing is.
+    """
+
+    settings: Settings
+    run: Run
+    begun: frozenset[int]
+    share: float
+    value: float
+    is_good: bool
+    fault: str
+
+    @property
+    def worth(self) -> tuple[bool, float]:
+        """Its order among others."""
+        return self.is_good, self.value
+
+
+def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[MachineCycle]) -> FoundWorld:
+    """Return the world that was found, or a better one if it does little or no good work.
+
+    It is the world of another cycle that carries out what this one does not, or a simple one.
+    """
+    first = _tried(explorer, found.settings)
+    if first.is_good and first.share >= LITTLE:
+        return found
+    others = [
+        each for each in likeliest if each.repeats and not (each.begun <= first.begun or wrong(each.said))
+    ]
+    worlds = [found, *(world_of(explorer, [each]) for each in others[:OTHERS])]
+    channels = _channels(explorer)
+    inputs = [number for table, number in channels if table == "input"]
+    # What has no entry yet is never on, always on, or answers.
+    rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
+    starts = [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
+    starts.append((_with_others({**found.settings, "input": []}, inputs, ASKED), found))
+    tried = [(_tried(explorer, settings), world) for settings, world in starts]
+    best, world = max(tried, key=lambda each: each[0].worth)
+    if not best.is_good or best.share < LITTLE:
+        start, other = max(tried, key=lambda each: each[0].share)
+        climbed = _climbed(explorer, channels, start)
+        if climbed.worth > best.worth:
+            best, world = climbed, other
+    if first.is_good and best.value < first.value + MORE:
+        return found
+    if not best.is_good:
+        return found._replace(cycle=replace(found.cycle, fault=found.cycle.fault or first.fault))
+    return world._replace(cycle=replace(world.cycle, fault=""), settings=best.settings, run=best.run)
+
+
+def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Settings:
+    """Return settings in which all inputs without an entry have the same rule."""
+    known = {number_in("input", each) for each in entries(settings, "input")}
+    made: list[Entry] = [{"channel": each, **rule} for each in inputs if each not in known]
+    return {**settings, "input": [*entries(settings, "input"), *made]}
+
+
+def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried) -> Tried:
+    """Return the simple world that is worth most: each channel takes the best of its rules, until none is better."""
+    most, before = explorer.trials.work + SHARE * explorer.whole, -inf
+    while best.value > before and explorer.trials.work < most:
+        before = best.value
+        for channel in channels:
+            tried = (_tried(explorer, each) for each in _others(explorer, channel, best))
+            best = max(chain((best,), tried), key=lambda each: each.value)
+            if explorer.trials.work > most:
+                break
+    return best
+
+
+def _channels(explorer: Explorer) -> list[Channel]:
+    """Return the channels that the program reads, or names where the exploration has not come to."""
+    uses = (use for _, use in explorer.program.structure.inputs())
+    named = [("input", int(use.number)) for use in uses if use.channel == "input" and use.number.isdecimal()]
+    numbers = (each for each in explorer.read if each[0] in ("analogue", "comms", "netdata"))
+    known = dict.fromkeys([*(("input", each) for each in explorer.channels), *named, *numbers])
+    return [each for each in known if each not in explorer.given]
+
+
+def _tried(explorer: Explorer, settings: Settings) -> Tried:
+    """Return a run in a world with its worth."""
+    run, begun = explorer.trials.run_in(settings, LENGTH)
+    right, faults = _acts(explorer, run)
+    has_ended, statements = run.status == "ended", explorer.program.structure.statements.values()
+    # What was done some times has ended since the world has nothing more.
+    done = min((right[worth, line] for worth, line in right if worth == MOVE), default=0)
+    never = run.status == "fault" and not run.has_run_out and done < ENOUGH
+    moves = any(use.row.topic == "move" for each in statements for use in each.axes)
+    works = any(worth in ((MOVE, JOG) if moves else (SAID, OUTPUT)) for worth, _ in right)
+    share = len(begun - explorer.handlers) / max(len(statements), 1)
+    value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
+    often = 1 if has_ended else ENOUGH
+    value += sum(worth * min(count / often, 1.0) for (worth, _), count in right.items())
+    value -= WRONG * sum(min(count / often, 1.0) for count in faults.values())
+    said = max((count for (worth, _), count in right.items() if worth == SAID), default=0)
+    is_good = works and not never and faults.total() <= HALF * said
+    fault = "" if is_good or not faults else f"prints {', '.join(map(repr, faults))}"
+    return Tried(settings, run, frozenset(begun - explorer.handlers), share, round(value, 6), is_good, fault)
+
+
+def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[float, object]], Counter[str]]:
+    """Return how often a run does each thing, with what that is worth, and how often it says what is wrong."""
+    right, faults = Counter[tuple[float, object]](), Counter[str]()
+    for move in run.machine.log.moves:
+        if move.profile is not None and not is_short_move(move):
+            is_done = move.profile.duration < inf and not move.ended
+            right[MOVE if is_done else JOG, move.line] += 1
+    for switched in run.machine.log.outputs:
+        if switched.value and switched.at >= 0 and switched.at not in explorer.beside:
+            right[OUTPUT, switched.channel] += 1
+    for each in run.machine.log.prints:
+        if each.at not in explorer.beside:
+            stops = run.status != "ended" and STOPPED.search(each.text)
+            text = without_figures(plain(each.text))
+            if stops or wrong([each.text]):
+                faults[text] += 1
+            else:
+                right[SAID, text] += 1
+    return right, faults
+
+
+def _others(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Settings]:
+    """Yield the settings of a run with another rule for a channel, the simplest first."""
+    table, number = channel
+    others = {key: each for key, each in best.settings.items() if key != table}
+    left = [each for each in entries(best.settings, table) if number_in(table, each) != number]
+    for rule in _rules(best.run) if table == "input" else _levels(explorer, channel, best.run):
+        made = sorted(
+            [*left, *([{**keys_of(*channel), **rule}] if rule else [])], key=partial(number_in, table)
+        )
+        yield {**others, **({table: made} if made else {})}
+
+
+def _rules(run: Run) -> Iterator[Entry]:
+    """Yield the simple rules of an input: never, always, a person, a sensor behind an output, marks, a position."""
+    simple: tuple[Entry, ...] = (
+        {},
+        {**ON},
+        {**ASKED},
+        {**ASKED, "for": PUSH},
+        {**PULSES},
+        {**ON, "for": PUSH},
+    )
+    yield from simple
+    for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
+        yield {"output": output, "delay": SOON}
+        yield {"output": output, "delay": SOON, "value": 0}
+    for axis, way in _ways(run).items():
+        middle = round((min(way.places) + max(way.places)) / 2, 2)
+        yield {"axis": axis, "above": middle}
+        yield {"axis": axis, "below": middle}
+        for step in (*way.lengths[:LENGTHS], (max(way.places) - min(way.places)) / MARKS):
+            mark = [round(way.places[0] + share * step, 2) for share in (0.5, 0.6)]
+            if mark[0] < mark[1]:
+                yield {"axis": axis, "between": mark, "every": round(step, 2), "times": ALL}
+    yield {**ON, "for": PUSH}
+
+
+def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
+    """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
+    solved = [each.value for node in explorer.nodes.values() for each in node.solved.get(channel, ())]
+    if channel[0] != "analogue":
+        for value in dict.fromkeys((*map(float, solved), *NUMBERS)):
+            whole = int(value) if channel[0] == "netdata" else value
+            yield {"value": whole, **ASKED}
+            yield {"value": whole, "at": DELAY}
+        return
+    values = sorted({*map(float, solved), *LEVELS})
+    for value in values:
+        yield {"value": value, **ON}
+        for axis, way in _ways(run).items():
+            low, high = min(way.places), max(way.places)
+            yield {"axis": axis, "above": low, "value": 0.0, "per_unit": round(2 * value / (high - low), 4)}
+
+
+class Way(NamedTuple):
+    """The places, in user units, where moves of an axis began and ended, and the different lengths of the moves."""
+
+    places: Sequence[float]
+    lengths: Sequence[float]
+
+
+def _ways(run: Run) -> dict[int, Way]:
+    """Return the way of each axis that moved."""
+    places: dict[int, list[float]] = defaultdict(list)
+    lengths: dict[int, dict[float, None]] = defaultdict(dict)
+    for move in run.machine.log.moves:
+        if move.profile is not None and not is_short_move(move):
+            axis = run.controller.axes[move.axis]
+            end = min(move.start_time + move.profile.duration, max(run.time, move.start_time + PUSH))
+            begin, end = place(axis, move.start_time), place(axis, end)
+            places[move.axis] += [begin, end]
+            lengths[move.axis][round(abs(end - begin), 2)] = None
+    return {axis: Way(each, list(lengths[axis])) for axis, each in places.items() if max(each) > min(each)}
