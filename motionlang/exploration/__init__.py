@@ -56,7 +56,7 @@ from motionlang.exploration.changes import (
     number_in,
     tables_of,
 )
-from motionlang.exploration.cycles import MachineCycle, alarms_in, cycles
+from motionlang.exploration.cycles import MachineCycle, alarms_in, cycles, is_wrong
 from motionlang.exploration.further import goes_further
 from motionlang.exploration.playing import played
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
@@ -117,6 +117,7 @@ __all__ = [
     "explored",
     "in_words",
     "is_probe",
+    "is_wrong",
     "keys_of",
     "lines_of",
     "number_in",

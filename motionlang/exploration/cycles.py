@@ -311,6 +311,11 @@ def _said(transitions: Iterable[Transition]) -> list[str]:
     return [act.words for each in transitions for act in each.acts if not act.subject]
 
 
+def is_wrong(said: str) -> bool:
+    """True if words say that something is wrong, or that the machine has stopped."""
+    return bool(wrong([said]) or STOPPED.search(said))
+
+
 def wrong(said: Iterable[str]) -> int:
     """Return how often words say that something is wrong."""
     return sum(len(_WRONG.findall(each)) for each in said)

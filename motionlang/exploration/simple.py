@@ -24,7 +24,7 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.exploration.changes import Channel, entries, keys_of, number_in
-from motionlang.exploration.cycles import STOPPED, MachineCycle, wrong
+from motionlang.exploration.cycles import MachineCycle, is_wrong, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import is_short_move, plain, without_figures
@@ -167,9 +167,8 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[float, object]], 
             right[OUTPUT, switched.channel] += 1
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
-            stops = run.status != "ended" and STOPPED.search(each.text)
             text = without_figures(plain(each.text))
-            if stops or wrong([each.text]):
+            if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
             else:
                 right[SAID, text] += 1

@@ -12,15 +12,17 @@ from dataclasses import dataclass
 from math import inf
 
 from motionlang.commands.map.names import ReaderNames
-from motionlang.exploration import Change, Exploration
+from motionlang.exploration import Change, Exploration, is_wrong
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import ranges
 
 # An output that is on for less than this in a motion only follows or precedes it, s.
 SHORT = 1e-3
-# So many causes of an alarm and of its reset are shown.
-MAX_CAUSES = 2
+# So many alarms are shown, and so many causes of one and of its reset.
+MAX_ALARMS, MAX_CAUSES = 8, 2
+
+Changes = tuple[Change, ...]
 
 
 @dataclass(eq=False, slots=True)
@@ -64,19 +66,35 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
 
 
 def _alarms(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield the outputs of alarms, with the fewest changes that switch each on and off again."""
-    causes: dict[str, tuple[list[str], list[str]]] = {}
-    transitions = (each for node in exploration.nodes for each in node.transitions)
-    for each in sorted(transitions, key=lambda each: len(each.causes)):
+    """Yield what says that something is wrong, with the fewest changes that bring it, and what goes on from there."""
+    nodes = {node.state: node for node in exploration.nodes}
+    found: dict[str, tuple[list[float], list[Changes], list[Changes]]] = {}
+    for each in (each for node in exploration.nodes for each in node.transitions):
         last = {act.subject: act.words for act in each.acts if act.subject in names.alarms}
-        for subject, words in last.items():
-            text = " and ".join(map(names.of, each.causes)) or "itself"
-            causes.setdefault(subject, ([], []))[words.endswith("off")].append(text)
-    for subject in sorted(causes):
-        on, off = (
-            " or ".join(list(dict.fromkeys(each))[:MAX_CAUSES]) or "nothing" for each in causes[subject]
-        )
-        yield CautionRow("alarm", names[subject], f"goes on by {on}, and off by {off}")
+        signs = [names[subject] for subject, words in last.items() if words == "on"]
+        signs += (act.words for act in each.acts if not act.subject and is_wrong(act.words))
+        if signs:
+            after, causes, resets = found.setdefault(" and ".join(dict.fromkeys(signs)), ([], [], []))
+            after += [each.seconds] * each.is_by_itself
+            causes += [each.causes] * (not each.is_by_itself)
+            ways = (
+                nodes[each.target].transitions if each.target in nodes and each.target != each.source else ()
+            )
+            resets += (way.causes for way in ways if not way.is_by_itself)
+    for what, (after, causes, resets) in list(found.items())[:MAX_ALARMS]:
+        times = [f"after {min(after):.3g} s"] if after else []
+        by = " or ".join([*times, *(f"by {each}" for each in _fewest(causes, names))])
+        back = " or ".join(_fewest(resets, names))
+        yield CautionRow("alarm", what, f"comes {by}{f', and ends by {back}' if back else ''}")
+
+
+def _fewest(changes: Iterable[Changes], names: ReaderNames) -> list[str]:
+    """Return some changes in words, but for those with others of them and more."""
+    found: list[Changes] = []
+    for each in sorted(changes, key=len):
+        if not any(set(other) <= set(each) for other in found):
+            found.append(each)
+    return [" and ".join(map(names.of, each)) for each in found[:MAX_CAUSES]]
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:
