@@ -33,7 +33,7 @@ from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.rests import Rest
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
-from motionlang.exploration.states import DELAY, Causes, Visit
+from motionlang.exploration.states import DELAY, Visit
 from motionlang.exploration.trials import Trial, is_short_move, without_figures
 from motionlang.exploration.values import first_write
 from motionlang.identification import Digital, Entry, Observation, channels, rules_of
@@ -122,7 +122,7 @@ def _is_worse(cycle: MachineCycle, other: MachineCycle) -> bool:
 
 
 def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
-    """Play a cycle; if it does not repeat so, with what led on off again, and with what was on where it was found."""
+    """Play a cycle; if it does not repeat so, with what led on off again."""
     trial = played(explorer, cycle, times=times)
     enough = min(times, ENOUGH)
     has_level = any(each.table == "analogue" for _, each in trial.timeline)
@@ -130,10 +130,6 @@ def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
     if cycle.repeats and (has_level or jogs) and 0 < count(cycle, trial) < enough:
         back = played(explorer, cycle, times=times, goes_back=True)
         trial = max(trial, back, key=lambda each: count(cycle, each))
-    found_with = _found_with(cycle)
-    if cycle.repeats and found_with and quality(cycle, trial) < (True, True, enough):
-        other = played(explorer, cycle, found_with, times=times)
-        trial = max(trial, other, key=lambda each: quality(cycle, each))
     return trial
 
 
@@ -184,13 +180,6 @@ def _with_more_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Tria
         if now <= before and count(cycle, other) >= min(count(cycle, trial), COMPARED):
             return other
     return trial
-
-
-def _found_with(cycle: MachineCycle) -> Causes:
-    """Return the inputs that were on where the transitions of a cycle were found, and that are not changed in it."""
-    changed = {one.number for each in cycle.transitions for one in each.causes if one.table == "input"}
-    on = {number for each in cycle.transitions for number, level in each.visit.levels.items() if level}
-    return tuple(Change("input", number, 1.0) for number in sorted(on - changed - cycle.visit.levels.keys()))
 
 
 # -------------------------------------------------------------------------------------------------- explaining
