@@ -48,7 +48,7 @@ examples:
     file: str = argument("FILE", "the program; - reads standard input")
     format: str = option(
         "",
-        "the form: text, Markdown, a Mermaid or DOT graph of the states, one JSON document, CSV of the channels, an "
+        "the form: text, Markdown, a Mermaid graph of the states, one JSON document, CSV of the channels, an "
         f"HTML page, or none (by default that of the extension of --output: {either(list(SUFFIXES))}; else text)",
         choices=(*FORMS, "none"),
     )

@@ -237,7 +237,6 @@ def test_a_machine_that_nothing_moves(cell: Cell) -> None:
         ("m.html", "<!doctype html>"),
         ("m.md", "# a.mnt"),
         ("m.mmd", "flowchart TD"),
-        ("m.dot", "digraph"),
         ("m.json", "{"),
         ("m.csv", "channel,name,"),
         ("m.txt", "a.mnt: Mint"),

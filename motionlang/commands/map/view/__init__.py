@@ -1,1 +1,1 @@
-"""The map of a program as text, Markdown, Mermaid, DOT, JSON and an HTML page."""
+"""The map of a program as text, Markdown, Mermaid, JSON and an HTML page."""

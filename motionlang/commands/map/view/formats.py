@@ -7,7 +7,7 @@ from io import StringIO
 
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.commands.map.view import tables
-from motionlang.commands.map.view.graph import dot, mermaid
+from motionlang.commands.map.view.graph import mermaid
 from motionlang.commands.map.view.page import page
 from motionlang.commands.map.view.text import headline, markdown, render
 from motionlang.commands.map.view.timing import timing
@@ -19,8 +19,6 @@ SUFFIXES = {
     ".txt": "text",
     ".md": "markdown",
     ".mmd": "mermaid",
-    ".dot": "dot",
-    ".gv": "dot",
     ".json": "json",
     ".csv": "csv",
     ".html": "html",
@@ -54,7 +52,6 @@ _FORMS: dict[str, Callable[[ProgramMap], str]] = {
     "text": lambda made: render(made, width=80),
     "markdown": markdown,
     "mermaid": lambda made: "\n".join(mermaid(made.behaviour)) + "\n",
-    "dot": lambda made: dot(made.source.name, made.behaviour),
     "json": lambda made: document(made).json(),
     "csv": _csv,
     "html": lambda made: page(made, _timing(made)),

@@ -1,4 +1,4 @@
-"""The states of a machine as a Mermaid flowchart and as a DOT graph."""
+"""The states of a machine as a Mermaid flowchart."""
 
 from __future__ import annotations
 
@@ -22,23 +22,6 @@ def mermaid(behaviour: MachineBehaviour | None) -> list[str]:
     for source, target, lines in _edges(behaviour):
         found.append(f"    {source} -->|{_quoted(lines)}| {target}")
     return found
-
-
-def dot(title: str, behaviour: MachineBehaviour | None) -> str:
-    """Return a DOT graph; without states it has no node."""
-    found = [
-        f"digraph {_string('map of ' + title)} {{",
-        '  graph [fontname="sans-serif" fontsize=12 rankdir=TB nodesep=0.35 ranksep=0.4]',
-        '  node [fontname="sans-serif" fontsize=11 shape=box style="rounded,filled" fillcolor=white]',
-        '  edge [fontname="sans-serif" fontsize=10 color="#5b6770"]',
-    ]
-    for name, lines in _nodes(behaviour):
-        text = _string("\\n".join(map(_escaped, lines)), is_escaped=True)
-        found.append(f"    {name} [label={text}]")
-    for source, target, lines in _edges(behaviour):
-        text = "".join(f"\u00a0{_escaped(line)}\\l" for line in lines)
-        found.append(f"    {source} -> {target} [label={_string(text, is_escaped=True)}]")
-    return "\n".join([*found, "}"]) + "\n"
 
 
 def _nodes(behaviour: MachineBehaviour | None) -> Iterator[tuple[str, list[str]]]:
@@ -79,11 +62,3 @@ def _quoted(lines: Iterable[str]) -> str:
         "\\": "#92;",
     }
     return '"' + "<br>".join("".join(signs.get(sign, sign) for sign in line) for line in lines) + '"'
-
-
-def _escaped(text: str) -> str:
-    return text.replace("\\", "\\\\").replace('"', '\\"')
-
-
-def _string(text: str, is_escaped: bool = False) -> str:
-    return f'"{text if is_escaped else _escaped(text)}"'
