@@ -61,7 +61,7 @@ from motionlang.exploration.further import goes_further
 from motionlang.exploration.playing import played
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
-from motionlang.exploration.simple import better_world
+from motionlang.exploration.simple import LENGTH, better_world, neighbours
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import (
@@ -80,11 +80,11 @@ from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
 from motionlang.exploration.world import FoundWorld, nowhere, world_of
 from motionlang.identification import Entry
-from motionlang.kernel import Program, Run, Source, dialect, dialect_for, settings_next_to
-from motionlang.kernel.lang import names_in_comments
+from motionlang.kernel import Program, Run, Source, dialect_for, settings_next_to
 
 __all__ = [
     "HORIZON",
+    "LENGTH",
     "SHORTEST_MOVE",
     "SHORTEST_REST",
     "TABLES",
@@ -158,9 +158,8 @@ class Exploration:
         self.nodes = list(explorer.nodes.values())
         self.trials = explorer.trials.count
         self.is_whole = not explorer.trials.is_over and interrupted is None
-        names = names_in_comments(self.program.source, dialect(self.program.language))
         statements = len(self.program.structure.statements)
-        self.cycles = cycles(explorer.nodes, explorer.working, statements, alarms_in(names))
+        self.cycles = cycles(explorer.nodes, explorer.working, statements, explorer.alarms)
         self.world = self.world_of(self.cycles) if interrupted is None else self._unplayed(interrupted)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)
@@ -268,6 +267,10 @@ class Exploration:
                         path = (*cycle.transitions[:k], changed, *cycle.transitions[k + 1 :])
                         varied = replace(cycle, transitions=path)
                         yield varied, played(self._explorer, varied, times=1)
+
+    def neighbours(self) -> Iterator[tuple[Channel, Mapping[str, object]]]:
+        """Yield the settings of its world with another simple rule for one channel, and that channel."""
+        return neighbours(self._explorer, self.world.settings)
 
     def run(self, settings: Mapping[str, object], until: float) -> Run:
         """Run the program in the world with some entries of a machine file whose `run.until` is a time, s."""

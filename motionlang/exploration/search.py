@@ -19,6 +19,7 @@ from operator import attrgetter
 
 from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
+from motionlang.exploration.cycles import alarms_in
 from motionlang.exploration.recorder import HANDLERS, Seen
 from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests, without_memory
 from motionlang.exploration.roles import (
@@ -41,7 +42,8 @@ from motionlang.exploration.trials import (
     without_figures,
 )
 from motionlang.exploration.values import is_probe, printed_for
-from motionlang.kernel import Program
+from motionlang.kernel import Program, dialect
+from motionlang.kernel.lang import names_in_comments
 from motionlang.kernel.log import Printed, Switched
 
 # The work of an exploration, in statements: about ten seconds.
@@ -108,6 +110,9 @@ class Explorer:
         self._forgotten: set[int] = set()
         # The axes that each line moves.
         self.axes: dict[int, set[int]] = defaultdict(set)
+        # The outputs whose names say that something is wrong.
+        names = names_in_comments(program.source, dialect(program.language))
+        self.alarms = alarms_in(names)
         # Work that goes on without a rest.
         self.working: list[Work] = []
 

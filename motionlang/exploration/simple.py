@@ -19,30 +19,31 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import chain
 from math import inf
 from typing import NamedTuple
 
-from motionlang.exploration.changes import Channel, entries, keys_of, number_in
+from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, number_in
 from motionlang.exploration.cycles import MachineCycle, is_wrong, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import is_short_move, plain, without_figures
+from motionlang.exploration.values import is_probe
 from motionlang.exploration.world import ASKED, ON, PULSES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
 
-# The share of the work of an exploration that simple worlds may take, and the length of a run, s.
-SHARE, LENGTH = 0.2, 60.0
+# So much of the work of an exploration simple worlds may take, in so many runs of this length, s.
+SHARE, TRIES, LENGTH = 2.0, 100, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.5, 2, 1.0
 # What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, a line that moves to a target, another motion, an output, a printed line, its
-# end. Against it: a line that says what is wrong, a wait that never ends, and no motion where axes should move.
+# end. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
+# entry of the machine file.
 WHOLE, MOVE, JOG, OUTPUT, SAID, ENDS = 4.0, 1.5, 0.5, 0.5, 2.0, 2.0
-WRONG, NEVER, NOTHING = 4.0, 3.0, 5.0
+WRONG, NEVER, NOTHING, ENTRY = 4.0, 3.0, 5.0, 0.01
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
@@ -56,21 +57,18 @@ Settings = Mapping[str, object]
 class Tried(NamedTuple):
     """A run in a world: the statements that begin, their share of the program, its worth, and if its work is good.
 
-    `fault` is what it prints that is wrong, "" if its work is good or nothing is.
+    `times` is how often the line moves an axis that does so most often.
+    `fault` is what is wrong with it in words, "" if its work is good.
     """
 
     settings: Settings
     run: Run
     begun: frozenset[int]
+    times: int
     share: float
     value: float
     is_good: bool
     fault: str
-
-    @property
-    def worth(self) -> tuple[bool, float]:
-        """Its order among others."""
-        return self.is_good, self.value
 
 
 def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[MachineCycle]) -> FoundWorld:
@@ -89,20 +87,27 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
-    starts = [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
-    starts.append((_with_others({**found.settings, "input": []}, inputs, ASKED), found))
-    tried = [(_tried(explorer, settings), world) for settings, world in starts]
-    best, world = max(tried, key=lambda each: each[0].worth)
+    starts = [(_with_others({**found.settings, "input": []}, inputs, ASKED), found)]
+    starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
+    least = max(min(first.times, ENOUGH), 1)
+    tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
+    best, world = max(tried, key=lambda each: each[0].value)
     if not best.is_good or best.share < LITTLE:
-        start, other = max(tried, key=lambda each: each[0].share)
-        climbed = _climbed(explorer, channels, start)
-        if climbed.worth > best.worth:
+        # Where less answers the program waits sooner.
+        start, other = max(reversed(tried), key=lambda each: each[0].share)
+        climbed = _climbed(explorer, channels, start, least)
+        if climbed.value > best.value:
             best, world = climbed, other
-    if first.is_good and best.value < first.value + MORE:
-        return found
-    if not best.is_good:
+    if best.value < first.value + MORE or not (best.is_good or best.times):
         return found._replace(cycle=replace(found.cycle, fault=found.cycle.fault or first.fault))
-    return world._replace(cycle=replace(world.cycle, fault=""), settings=best.settings, run=best.run)
+    return world._replace(cycle=replace(world.cycle, fault=best.fault), settings=best.settings, run=best.run)
+
+
+def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
+    """Yield the settings with another simple rule for one channel, and that channel."""
+    first = _tried(explorer, settings)
+    for channel in _channels(explorer):
+        yield from ((channel, each) for each in _others(explorer, channel, first))
 
 
 def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Settings:
@@ -112,16 +117,17 @@ def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Sett
     return {**settings, "input": [*entries(settings, "input"), *made]}
 
 
-def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried) -> Tried:
+def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int) -> Tried:
     """Return the simple world that is worth most: each channel takes the best of its rules, until none is better."""
-    most, before = explorer.trials.work + SHARE * explorer.whole, -inf
-    while best.value > before and explorer.trials.work < most:
+    trials, before = explorer.trials, -inf
+    most, last = trials.work + SHARE * explorer.whole, trials.count + TRIES
+    while best.value > before:
         before = best.value
         for channel in channels:
-            tried = (_tried(explorer, each) for each in _others(explorer, channel, best))
-            best = max(chain((best,), tried), key=lambda each: each.value)
-            if explorer.trials.work > most:
-                break
+            for settings in _others(explorer, channel, best):
+                if trials.work > most or trials.count > last:
+                    return best
+                best = max(best, _tried(explorer, settings, least), key=lambda each: each.value)
     return best
 
 
@@ -129,41 +135,48 @@ def _channels(explorer: Explorer) -> list[Channel]:
     """Return the channels that the program reads, or names where the exploration has not come to."""
     uses = (use for _, use in explorer.program.structure.inputs())
     named = [("input", int(use.number)) for use in uses if use.channel == "input" and use.number.isdecimal()]
-    numbers = (each for each in explorer.read if each[0] in ("analogue", "comms", "netdata"))
-    known = dict.fromkeys([*(("input", each) for each in explorer.channels), *named, *numbers])
+    numbers = (each for each in explorer.read if each[0] in ("key", "analogue", "comms", "netdata"))
+    known = dict.fromkeys([*numbers, *(("input", each) for each in explorer.channels), *named])
     return [each for each in known if each not in explorer.given]
 
 
-def _tried(explorer: Explorer, settings: Settings) -> Tried:
-    """Return a run in a world with its worth."""
+def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
+    """Return a run in a world with its worth; it works if it does something at least so often, or ends."""
     run, begun = explorer.trials.run_in(settings, LENGTH)
+    begun -= explorer.handlers
     right, faults = _acts(explorer, run)
     has_ended, statements = run.status == "ended", explorer.program.structure.statements.values()
     # What was done some times has ended since the world has nothing more.
     done = min((right[worth, line] for worth, line in right if worth == MOVE), default=0)
     never = run.status == "fault" and not run.has_run_out and done < ENOUGH
     moves = any(use.row.topic == "move" for each in statements for use in each.axes)
-    works = any(worth in ((MOVE, JOG) if moves else (SAID, OUTPUT)) for worth, _ in right)
-    share = len(begun - explorer.handlers) / max(len(statements), 1)
-    value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
+    times = max((count for (worth, _), count in right.items() if worth in (MOVE, JOG)), default=0)
+    works = times >= (1 if has_ended else least) or not moves
     often = 1 if has_ended else ENOUGH
+    share = len(begun) / max(len(statements), 1)
+    value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += sum(worth * min(count / often, 1.0) for (worth, _), count in right.items())
     value -= WRONG * sum(min(count / often, 1.0) for count in faults.values())
+    value -= ENTRY * sum(len(entries(settings, table)) for table in TABLES)
     said = max((count for (worth, _), count in right.items() if worth == SAID), default=0)
-    is_good = works and not never and faults.total() <= HALF * said
-    fault = "" if is_good or not faults else f"prints {', '.join(map(repr, faults))}"
-    return Tried(settings, run, frozenset(begun - explorer.handlers), share, round(value, 6), is_good, fault)
+    fault = "" if works or not run.machine.log.moves else "only homes"
+    if faults.total() > HALF * said:
+        fault = f"prints {', '.join(faults)}"
+    is_good = works and not (fault or never)
+    return Tried(settings, run, frozenset(begun), times, share, round(value, 6), is_good, fault)
 
 
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[float, object]], Counter[str]]:
     """Return how often a run does each thing, with what that is worth, and how often it says what is wrong."""
-    right, faults = Counter[tuple[float, object]](), Counter[str]()
+    right, faults, homes = Counter[tuple[float, object]](), Counter[str](), run.dialect.table().homes
     for move in run.machine.log.moves:
-        if move.profile is not None and not is_short_move(move):
+        if move.profile is not None and not (is_short_move(move) or homes(move.command)):
             is_done = move.profile.duration < inf and not move.ended
             right[MOVE if is_done else JOG, move.line] += 1
     for switched in run.machine.log.outputs:
-        if switched.value and switched.at >= 0 and switched.at not in explorer.beside:
+        if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
+            faults[f"output {switched.channel}"] += 1
+        elif switched.value and switched.at >= 0 and switched.at not in explorer.beside:
             right[OUTPUT, switched.channel] += 1
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
@@ -214,7 +227,13 @@ def _rules(run: Run) -> Iterator[Entry]:
 
 def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
-    solved = [each.value for node in explorer.nodes.values() for each in node.solved.get(channel, ())]
+    tried = (each for node in explorer.nodes.values() for causes in node.tried for each in causes)
+    solved = dict.fromkeys(each.value for each in tried if each.channel == channel and not is_probe(each))
+    if channel[0] == "key":
+        for text in solved:
+            yield {"text": text, **ASKED}
+            yield {"text": text, "at": DELAY}
+        return
     if channel[0] != "analogue":
         for value in dict.fromkeys((*map(float, solved), *NUMBERS)):
             whole = int(value) if channel[0] == "netdata" else value

@@ -17,7 +17,7 @@ from motionlang.commands.cover.worlds import CutOff, Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import Change, Entry, Exploration, entries, number_in, plain, tables_of
+from motionlang.exploration import LENGTH, Change, Entry, Exploration, entries, number_in, plain, tables_of
 from motionlang.kernel import ProgramError, Run, Source, read_machine, run
 from motionlang.kernel.lang import layered, names_in_comments
 from motionlang.kernel.report import axes as axes_of
@@ -25,6 +25,8 @@ from motionlang.kernel.tools import ranges
 
 # A world goes on for so long after its last transition, s.
 BEYOND = 2.0
+# Simple worlds are tried up to so many events in all.
+MOST = 2_000_000
 # The printed lines that a scenario expects, the last ones, and the tolerance of positions, uu.
 MAX_LINES, WITHIN = 4, 0.001
 # So many causes are in the name of a scenario.
@@ -63,6 +65,8 @@ class Search:
         # What all runs together have reached.
         self.coverage = self._covered()
         self.found: list[SuggestedWorld] = []
+        # The events of all worlds.
+        self.work = 0
         names = names_in_comments(exploration.program.source, worlds.language)
         self._names = {(each.kind, str(each.number)): each.name for each in names}
 
@@ -101,6 +105,12 @@ class Search:
             varied = next(each for each in cycle.transitions if each.causes)
             said = (each.text for each in trial.prints)
             yield self._name(varied.causes, said), settings(tables_of(trial.timeline), trial.time)
+        for (table, number), varied_world in (
+            exploration.neighbours() if exploration.interrupted is None else ()
+        ):
+            if self.work > MOST:
+                return
+            yield self._name([Change(table, number, 1.0)], ()), settings(varied_world, LENGTH)
 
     def _above(self, tables: Mapping[str, object]) -> dict[str, object]:
         """Return tables on top of the program's own: other inputs and levels that it drives are off."""
@@ -133,6 +143,7 @@ class Search:
     def _try(self, name: str, settings: dict[str, object]) -> Iterator[SuggestedWorld]:
         """Run a world, and yield it if it reaches something new and its expectations hold."""
         world = self.worlds.run(layered(self.own, settings))
+        self.work += world.events.total()
         if not any(event not in self.events for event in world.events):
             return
         before = self.coverage
