@@ -92,7 +92,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     explained = 0
     wanted = True, True, min(times, ENOUGH)
     most = explorer.trials.work + explorer.whole
-    for cycle in _latest_first(explorer, likeliest)[:PLAYED]:
+    for cycle in likeliest[:PLAYED]:
         if explorer.trials.work > most:
             break
         trial = _best_played(explorer, cycle, times)
@@ -131,21 +131,6 @@ def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
         back = played(explorer, cycle, times=times, goes_back=True)
         trial = max(trial, back, key=lambda each: count(cycle, each))
     return trial
-
-
-def _latest_first(explorer: Explorer, likeliest: Sequence[MachineCycle]) -> Sequence[MachineCycle]:
-    """Return cycles; of runs that jog and need the changes of the first one, the one with the latest changes is first.
-
-    A change that comes earlier cuts the jog off.
-    """
-    if not likeliest or likeliest[0].repeats:
-        return likeliest
-    same = [each for each in likeliest if not each.repeats and each.changes == likeliest[0].changes]
-    trials = [played(explorer, each) for each in same if len(same) > 1]
-    if not any(each.end == inf for trial in trials for each in trial.moves):
-        return likeliest
-    best = max(zip(same, trials, strict=True), key=lambda each: (each[1].begun, each[1].time))[0]
-    return [best, *(each for each in likeliest if each is not best)]
 
 
 def nowhere(explorer: Explorer) -> MachineCycle:
