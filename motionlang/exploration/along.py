@@ -93,35 +93,15 @@ def _passing(trial: Trial, axes: Axes, time: float, moment: Moment) -> TrialMoti
     return None
 
 
-def answers(trial: Trial, axes: Axes) -> dict[str, list[Entry]]:
-    """Return the entries by which levels, numbers and keys that a trial changes come when they are asked for.
-
-    A level that changes while an axis jogs rises with its position.
-    """
-    firsts: dict[tuple[object, ...], tuple[float, Change]] = {}
-    for time, each in trial.timeline:
+def answers(trial: Trial) -> dict[str, list[Entry]]:
+    """Return the entries by which levels, numbers and keys that a trial changes come when they are asked for."""
+    firsts: dict[tuple[object, ...], Change] = {}
+    for _, each in trial.timeline:
         if each.table not in ("input", "answer") and (each.value or each.table != "analogue"):
-            of = (*each.channel, each.value) if each.table == "key" else each.channel
-            firsts.setdefault(of, (time, each))
+            firsts.setdefault((*each.channel, each.value) if each.table == "key" else each.channel, each)
     found: dict[str, list[Entry]] = defaultdict(list)
-    for time, each in firsts.values():
+    for each in firsts.values():
         entry = {**entries(tables_of(((0.0, each),)), each.table)[0], "asked": DELAY}
         del entry["at"]
-        rising = _rising(trial, axes, time, each) if each.table == "analogue" else None
-        found[each.table].append(rising or entry)
+        found[each.table].append(entry)
     return dict(found)
-
-
-def _rising(trial: Trial, axes: Axes, time: float, change: Change) -> Entry | None:
-    """Return the entry of a level that rises with the position of an axis that jogs at a time; None if none does."""
-    assert isinstance(change.value, float)
-    move = _passing(trial, axes, time, Moment(every=inf))
-    if move is None or move.end < inf:
-        return None
-    a = axes[move.axis]
-    begin, end = place(a, move.begin), place(a, time)
-    if begin == end:
-        return None
-    edge, rise = "above" if end > begin else "below", round(change.value / (end - begin), 3)
-    base: Entry = {"channel": change.number, "axis": move.axis, edge: round(begin, 2)}
-    return {**base, "value": 0.0, "per_unit": rise}

@@ -339,7 +339,7 @@ class _Description:
         for number, changes in sorted(self._flips.items()):
             is_on = changes == [(0.0, 1.0)]
             asked[number] = self._along.get(number) or {"channel": number, **(ON if is_on else ASKED)}
-        others = answers(self._trial, self._axes) if self._count > 1 else {}
+        others = answers(self._trial) if self._count > 1 else {}
         tried = [asked, {**asked, **self._beyond}]
         self._take({**self._with([*each.values()], *each), **others} for each in tried)
 
