@@ -28,7 +28,7 @@ from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import is_short_move, plain, without_figures
 from motionlang.exploration.values import is_probe
-from motionlang.exploration.world import ASKED, ON, PULSES, FoundWorld, world_of
+from motionlang.exploration.world import ASKED, EVERY, ON, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
 
@@ -46,6 +46,8 @@ WHOLE, MOVE, JOG, OUTPUT, SAID, ENDS = 4.0, 1.5, 0.5, 0.5, 2.0, 2.0
 WRONG, NEVER, NOTHING, ENTRY = 4.0, 3.0, 5.0, 0.01
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
+# An input that comes and goes, s.
+PULSES: Entry = {"at": EVERY / 2, "for": EVERY / 2, "every": EVERY}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
 MARKS, LENGTHS, ALL = 7, 3, 300
 # Levels and numbers that are tried.
@@ -77,6 +79,13 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     It is the world of another cycle that carries out what this one does not, or a simple one.
     """
     first = _tried(explorer, found.settings)
+    for number in explorer.channels if first.is_good and found.cycle.repeats else ():
+        # An input with which more is said is on, such as that of a good part.
+        more = first
+        if number not in explorer.triggers:
+            more = _tried(explorer, _with_others(first.settings, [number], ON), min(first.times, ENOUGH))
+        if more.is_good and 2 * more.times >= first.times and more.value >= first.value + MORE:
+            found, first = found._replace(settings=more.settings, run=more.run), more
     if first.is_good and first.share >= LITTLE:
         return found
     others = [

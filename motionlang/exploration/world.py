@@ -20,8 +20,7 @@ with a way. A task that moves no axis may come further or less far. No other han
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import product
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from math import fsum, inf
 from typing import NamedTuple
 
@@ -54,9 +53,8 @@ SOON = 0.1
 MOMENT = 0.02
 # A world is compared for this much longer than the played run.
 LONGER = 1.5
-# An input that comes and goes, and how often, s.
+# An input comes and goes in so long, s.
 EVERY = 2.0
-PULSES: Entry = {"at": 1.0, "for": 1.0, "every": EVERY}
 # An input that is on from the start, and one that answers.
 ON: Entry = {"at": 0.0}
 ASKED: Entry = {"asked": DELAY}
@@ -207,7 +205,6 @@ class _Description:
         # What is on too early for one input may be in time when another one is on, too.
         for _ in range(PASSES):
             self._describe_inputs()
-        self._describe_as_pulses()
         self._describe_writes()
         self._describe_others()
         settings = dict(self._settings)
@@ -232,14 +229,11 @@ class _Description:
             self._take({**self._settings, change.table: [*rest, *each]} for each in tried)
 
     def _describe_others(self) -> None:
-        """Let other inputs be on where that makes no difference, or where more is said, and write other numbers."""
+        """Let other inputs be on where that makes no difference, and write other numbers."""
         others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
-        takes: tuple[Callable[[Settings], bool], ...] = (self._does_no_more, self._does_more)
-        for takes_it, number in product(takes, sorted(others) if self._cycle.repeats else ()):
-            if self._explorer.trials.work > self._most:
-                break
+        for number in sorted(others) if self._cycle.repeats else ():
             settings = self._with([{"channel": number, **ON}], number)
-            if settings != self._settings and takes_it(settings):
+            if self._explorer.trials.work < self._most and self._does_no_more(settings):
                 self._settings = settings
         changed = {each.channel for _, each in self._trial.timeline} | written(self._explorer.program)
         for table, number in self._explorer.read:
@@ -274,26 +268,6 @@ class _Description:
         if self._trial.status == "ended" and result.status != "ended":
             return False
         return begun & self._explorer.handlers <= self._handled and _is_as_good(self._wanted, found)
-
-    def _does_more(self, settings: Settings) -> bool:
-        """True if a run says more than so far, but for what is wrong, and moves as often at least by half.
-
-        What it does is wanted from then on.
-        """
-        had, (_, begun, found) = self._run(self._settings)[2], self._run(settings)
-        (right, faults), (more, others) = _said(had), _said(found)
-        moved, moves = (
-            Counter(each[2] for own in _moves(acts).values() for each in own) for acts in (had, found)
-        )
-        if (
-            right >= more
-            or others > faults
-            or begun & self._explorer.handlers - self._handled
-            or any(2 * moves[line] < count for line, count in moved.items())
-        ):
-            return False
-        self._wanted = found
-        return True
 
     def _run(self, settings: Settings) -> tuple[Run, set[int], Acts]:
         """Return a run in a world, the statements that begin, and what it does."""
@@ -342,14 +316,6 @@ class _Description:
         others = answers(self._trial) if self._count > 1 else {}
         tried = [asked, {**asked, **self._beyond}]
         self._take({**self._with([*each.values()], *each), **others} for each in tried)
-
-    def _describe_as_pulses(self) -> None:
-        """Let all inputs without a rule come and go: the times of one fit those of the others."""
-        entries_at = (each for each in entries(self._settings, "input") if "at" in each)
-        often = Counter(number_in("input", each) for each in entries_at)
-        left = [number for number, times in often.items() if times > 1]
-        if left:
-            self._take([self._with([{"channel": number, **PULSES} for number in left], *left)])
 
     def _rules(self, first: Entry, changes: Levels, *, is_pulse: bool = False) -> Iterator[Sequence[Entry]]:
         """Yield the rules that may explain the changes of a channel, the simplest first.
