@@ -43,7 +43,7 @@ KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
     r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|broken|stuck|lost|empty|emergency|refus"
-    r"|\bnok\b|\btoo\b|\blate\b|(?<!under )guard(?=\W*$|\W+(?:is\W+)?(?:open|up|off|not))"
+    r"|\bnok\b|\btoo\b|\blate\b|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
