@@ -63,7 +63,6 @@ servo step --plot step.png [plot]
 diff move.mnt move.mnt
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.csv
 sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --rows-to rows.parquet [parquet]
-sweep move.mnt --vary axis.0.start=1,2 --jobs 1 --plot sweep.png [plot]
 compare move.mnt recorded.csv
 serve move.mnt --modbus 127.0.0.1:0
 completion bash [completion]

@@ -12,8 +12,7 @@ from typing import Literal
 INK, FAINT, AXIS = "#1c2733", "#6b7785", "#9aa6b2"
 BLUE, GREEN, RED, VIOLET = "#1f5fae", "#0b7a5b", "#b4490f", "#6b4fa0"
 COLOURS = (BLUE, GREEN, RED, VIOLET)
-# Colour maps, as colours at equal distances from the lowest value to the highest.
-VIRIDIS = "440154 472d7b 3b528b 2c728e 21918c 28ae80 5ec962 addc30 fde725"
+# A colour map, as colours at equal distances from the lowest value to the highest.
 TURBO = "30123b 4454c4 448ffe 1fc9dd 2aefa1 7dff56 c1f334 f1cb3a fe932a ea4e0d be2102 7a0403"
 
 Marker = Literal["", "circle", "diamond", "star", "arrow", "arrows"]

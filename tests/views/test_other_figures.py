@@ -10,7 +10,6 @@ import pytest
 
 from motionlang.commands.plan.an00115_plot import plan_figure
 from motionlang.commands.plan.solve import solve_move
-from motionlang.commands.sweep.plot import front_figure, line_figure, map_figure
 from motionlang.kernel.planners import plan_pvt
 from motionlang.lab.pvt import plot as pvt_plot
 from motionlang.lab.pvt.plot import pvt_figure
@@ -171,52 +170,6 @@ def test_a_plan_has_a_rectangle_if_its_ramps_are_equal_and_names_what_takes_time
     assert len(figure.rows) == panels
     texts = [note.text for note in figure.rows[0][0].notes]
     assert [text for text in texts if text.startswith(("Ta", "Ts", "Td"))] == names
-
-
-@pytest.mark.parametrize(("count", "marker"), [(60, "circle"), (61, "")])
-def test_points_of_a_sweep_are_marked_up_to_60(count: int, marker: str) -> None:
-    figure = line_figure("speed", {"time": {"": [(float(k), 1.0) for k in range(count)]}}, {"time": "s"})
-    assert [curve.marker for curve in only(figure).curves] == [marker]
-    assert (only(figure).label, only(figure).unit, figure.x_label) == ("time", "s", "speed")
-
-
-def test_the_best_point_of_a_sweep_is_marked() -> None:
-    figure = line_figure("speed", {"time": {"": [(0.0, 1.0)]}}, {}, {"time": (0.0, 1.0)})
-    assert points(only(figure).curves[-1]) == [(0.0, 1.0)]
-    assert only(figure).curves[-1].marker == "diamond"
-
-
-@pytest.mark.parametrize(
-    ("across", "up", "is_grid"), [(2, 2, True), (1, 4, False), (4, 1, False), (2, 3, True)]
-)
-def test_a_map_is_a_grid_if_both_names_have_two_values(across: int, up: int, is_grid: bool) -> None:
-    """The cells of a grid reach half-way to their neighbours."""
-    found = [(float(x), float(y), 10.0 * x + y) for x in range(across) for y in range(up)]
-    figure = map_figure(("speed", "accel", "time"), found, {"time": "s"}, best=(0.0, 0.0))
-    panel = only(figure)
-    assert figure.scale is not None
-    assert (figure.x_label, panel.label, figure.scale.label) == ("speed", "accel", "time (s)")
-    assert points(panel.curves[-1]) == [(0.0, 0.0)]
-    drawn = panel.areas if is_grid else panel.curves[:-1]
-    assert [each.colour for each in drawn] == [figure.scale.colour(value) for _, _, value in found]
-    if is_grid:
-        assert list(panel.areas[0].x) == [-0.5, 0.5, 0.5, -0.5]
-
-
-@pytest.mark.parametrize(("count", "is_grid"), [(4, True), (5, False)])
-def test_a_map_is_a_grid_if_a_quarter_of_it_is_known(count: int, is_grid: bool) -> None:
-    """Points on a diagonal: 4 of 16 are a quarter, 5 of 25 are less."""
-    found = [(float(k), float(k), 1.0) for k in range(count)]
-    assert bool(only(map_figure(("speed", "accel", "time"), found, {})).areas) is is_grid
-
-
-def test_a_front_is_drawn_over_all_variants() -> None:
-    found = [(1.0, 5.0), (2.0, 3.0), (2.5, 4.0)]
-    figure = front_figure(("time", "peak"), found, found[:2], {"peak": "V"})
-    variants, front = only(figure).curves
-    assert (points(variants), points(front)) == (found, found[:2])
-    assert (variants.width, front.is_stepped) == (0.0, True)
-    assert (figure.x_label, only(figure).label) == ("time", "peak (V)")
 
 
 def test_a_motor_that_never_settles_is_reported() -> None:

@@ -79,11 +79,6 @@ examples:
     )
     rows_to: str | None = option("ROWS", "write every row into a file", suffixes=(".csv", ".parquet"))
     resume: bool = flag("continue an interrupted sweep")
-    plot: str | None = option(
-        "PICTURE",
-        "draw the rows into a file: a line for one varied name, a heat map for two, or the Pareto front",
-        suffixes=(".png", ".svg"),
-    )
 
     def check(self) -> None:
         super().check()

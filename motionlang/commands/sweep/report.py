@@ -1,4 +1,4 @@
-"""The report of a sweep: table, best variant, Pareto front, failures, picture."""
+"""The report of a sweep: table, best variant, Pareto front, failures."""
 
 from __future__ import annotations
 
@@ -8,16 +8,12 @@ from collections.abc import Sequence
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from motionlang.cli.complaints import complain, unwritten
 from motionlang.commands import sweep as sweeps
 from motionlang.commands.quantities import CYCLE, no_cycle_notes, unit_of
 from motionlang.commands.sweep.expression import QuantityExpression, pareto
 from motionlang.commands.sweep.job import Problem, Result, worker_of
-from motionlang.commands.sweep.plot import MAX_LINES, front_figure, line_figure, map_figure
 from motionlang.commands.sweep.table import Row, cell, sweep_table
-from motionlang.kernel import Diagnostic, end_of
-from motionlang.views.figure import Figure
-from motionlang.views.figure_files import write_figure
+from motionlang.kernel import end_of
 from motionlang.views.table import Document, Table
 from motionlang.views.terminal import styled, table_width, wants_colour
 
@@ -59,7 +55,7 @@ class SweepReport:
         return {"variant": index, **dict(values), "problem": None if problem is None else problem["message"]}
 
     def report(self, command: SweepCommand, sweep: sweeps.Sweep, rows: dict[int, Result]) -> int:
-        """Print and draw the requested output; 1 if a variant failed or a picture did."""
+        """Print the requested output; 1 if a variant failed."""
         bad = {index: result[2] for index, result in sorted(rows.items()) if result[2] is not None}
         good: Good = {n: self._row(sweep, *rows[n]) for n in sorted(rows) if n not in bad}
         best, front = self._best(good), self._front(good)
@@ -70,8 +66,7 @@ class SweepReport:
         self._note_cycles(sweep, good)
         if bad:
             self._report_failures(sweep, bad, len(rows))
-        status = self._draw(command.plot, command.file, good, best, front) if command.plot is not None else 0
-        return 1 if bad else status
+        return int(bool(bad))
 
     def _note_limit(self, sweep: sweeps.Sweep, good: Good) -> None:
         """Say that every variant ran to the time limit, so that its time compares nothing."""
@@ -177,62 +172,3 @@ class SweepReport:
             ]
             more = f"; and {len(indices) - MAX_FAILED} more" if len(indices) > MAX_FAILED else ""
             sys.stderr.write(f"  {message}\n    with {'; '.join(named)}{more}\n")
-
-    # --------------------------------------------------------------------------------------------- the picture
-
-    def _draw(self, path: str, program: str, good: Good, best: int | None, front: list[int]) -> int:
-        figure = self._figure(good, best, front)
-        if figure is None:
-            problem = "no recorded quantity or no varied name is a number"
-            complain([Diagnostic("file", f"{path} was not drawn: {problem}")], None, program)
-            return 1
-        try:
-            write_figure(figure, path)
-        except OSError as error:
-            complain([unwritten(path, error)], None, program)
-            return 1
-        return 0
-
-    def _figure(self, good: Good, best: int | None, front: list[int]) -> Figure | None:
-        """Return a figure that suits the varied names, or None if there are no numbers to draw."""
-        units = {name: unit_of(name) for name in self.keep}
-        if len(self._costs) == 2:
-            by = {
-                n: [c for each in self._costs if (c := each.number(v)) is not None] for n, v in good.items()
-            }
-            points = {n: (cost[0], cost[1]) for n, cost in by.items() if len(cost) == 2}
-            x, y = (each.text.strip() for each in self._costs)
-            return front_figure((x, y), list(points.values()), [points[n] for n in front], units)
-        figures = [name for name in self.keep if any(_is_number(values[name]) for values in good.values())]
-        varied = [
-            name for name in self.names if len({v[name] for v in good.values() if _is_number(v[name])}) > 1
-        ]
-        if not figures or not varied:
-            return None
-        others = [name for name in self.names if name != varied[0]]
-        kinds = {tuple(str(values[name]) for name in others) for values in good.values()}
-        if len(varied) == 1 or len(kinds) <= MAX_LINES:
-            curves: dict[str, dict[str, list[tuple[float, ...]]]] = {name: {} for name in figures}
-            for values in good.values():
-                label = ", ".join(f"{name} = {cell(values[name])}" for name in others)
-                for name in figures:
-                    if _is_number(values[name]) and _is_number(values[varied[0]]):
-                        curves[name].setdefault(label, []).append((values[varied[0]], values[name]))
-            for lines in curves.values():
-                for line in lines.values():
-                    line.sort()
-            at = None if best is None else good[best]
-            marks = (
-                {name: (at[varied[0]], at[name]) for name in figures if _is_number(at[name])} if at else None
-            )
-            return line_figure(varied[0], curves, units, marks)
-        x, y, z = varied[0], varied[1], figures[0]
-        samples = [
-            (v[x], v[y], v[z]) for v in good.values() if all(_is_number(v[name]) for name in (x, y, z))
-        ]
-        at = None if best is None else good[best]
-        return map_figure((x, y, z), samples, units, (at[x], at[y]) if at else None)
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < inf

@@ -20,16 +20,9 @@ def stroke(cell: Cell) -> Cell:
     return cell
 
 
-def test_a_front_and_a_picture(stroke: Cell) -> None:
-    for plot, options in (
-        ("front.png", ("--pareto", "time,peak.0")),
-        ("lines.svg", ()),
-        ("map.png", ("--latin", "12")),
-    ):
-        ran = stroke(*VARY, "--keep", "time,peak.0", *options, "--plot", plot)
-        assert (ran.status, ran.err) == (0, "")
-        assert (stroke.folder / plot).stat().st_size > 5000
-    assert stroke(*VARY, "--pareto", "time,peak.0").out.startswith("4 of 8 variants on the Pareto front\n")
+def test_a_front(stroke: Cell) -> None:
+    ran = stroke(*VARY, "--pareto", "time,peak.0")
+    assert ran.out.startswith("4 of 8 variants on the Pareto front\n")
 
 
 def test_bad_variants_are_distinguished_and_retained(stroke: Cell) -> None:
