@@ -275,7 +275,6 @@ def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequen
 
 
 def _flipped(channel: Channel, levels: dict[int, float]) -> Change:
-    """Return the change of an input to its other level."""
     return Change("input", channel[1], 1.0 - levels.get(channel[1], 0.0))
 
 

@@ -19,6 +19,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from math import inf
 from typing import NamedTuple
 
@@ -107,9 +108,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         climbed = _climbed(explorer, channels, start, least)
         if climbed.value > best.value:
             best, world = climbed, other
-    if best.value < first.value + MORE or not (best.is_good or best.times):
+    if not best.is_good or best.value < first.value + MORE:
         return found._replace(cycle=replace(found.cycle, fault=found.cycle.fault or first.fault))
-    return world._replace(cycle=replace(world.cycle, fault=best.fault), settings=best.settings, run=best.run)
+    return world._replace(cycle=replace(world.cycle, fault=""), settings=best.settings, run=best.run)
 
 
 def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
@@ -155,9 +156,13 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     begun -= explorer.handlers
     right, faults = _acts(explorer, run)
     has_ended, statements = run.status == "ended", explorer.program.structure.statements.values()
-    # What was done some times has ended since the world has nothing more.
+    # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
     done = min((right[worth, line] for worth, line in right if worth == MOVE), default=0)
-    never = run.status == "fault" and not run.has_run_out and done < ENOUGH
+    log = run.machine.log
+    acts = (each.time for some in (log.prints, log.outputs) for each in some)
+    last = max(chain(acts, (each.start_time for each in log.moves)), default=0.0)
+    is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
+    never = is_stuck and not run.has_run_out and done < ENOUGH
     moves = any(use.row.topic == "move" for each in statements for use in each.axes)
     times = max((count for (worth, _), count in right.items() if worth in (MOVE, JOG)), default=0)
     works = times >= (1 if has_ended else least) or not moves

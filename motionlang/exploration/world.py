@@ -45,8 +45,8 @@ ENOUGH = 3
 PASSES = 2
 # A world is tried for so long, s.
 WHOLE = 300.0
-# So many cycles are played until one repeats, and of those that do not, so many are played in the world that it takes.
-PLAYED, EXPLAINED = 6, 2
+# So many cycles are played until one repeats.
+PLAYED = 6
 # An input that answers an output soon, s: some programs look only once.
 SOON = 0.1
 # What happens so close to the ends of a rest, s, led there or leads on.
@@ -83,11 +83,9 @@ class FoundWorld(NamedTuple):
 def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int = TIMES) -> FoundWorld:
     """Return the world of the likeliest cycle that repeats as it was found, or of one that comes furthest.
 
-    A cycle that ends after a turn or two, such as a batch of one, may go on in the world of these turns.
     Without a cycle it is the world in which the program comes furthest.
     """
     best: tuple[tuple[bool, bool, int], MachineCycle, Trial] | None = None
-    explained = 0
     wanted = True, True, min(times, ENOUGH)
     most = explorer.trials.work + explorer.whole
     for cycle in likeliest[:PLAYED]:
@@ -100,12 +98,6 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
             best = found, cycle, trial
         if found >= wanted or (often >= wanted[2] and faults(cycle, trial) * ENOUGH <= often):
             break
-        if 0 < often < times and cycle.repeats and cycle.work and explained < EXPLAINED:
-            # The changes of the next turn are other ones, but they may be the same answers.
-            explained += 1
-            world = _Description(explorer, often, cycle, trial).world()
-            if _goes_on(world):
-                return world
     if best is None:
         furthest = nowhere(explorer)
         best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
@@ -137,12 +129,6 @@ def nowhere(explorer: Explorer) -> MachineCycle:
     furthest = max(visits, key=lambda visit: len(visit.timeline), default=Visit((), 0.0))
     none = frozenset[int]()
     return MachineCycle((), furthest, (), none, none, none, 0.0)
-
-
-def _goes_on(found: FoundWorld) -> bool:
-    """True if the work of a cycle comes again and again in its world."""
-    often = Counter(each.line for each in found.run.machine.log.moves)
-    return all(often[line] >= ENOUGH for line in found.cycle.work)
 
 
 def _with_more_on(explorer: Explorer, cycle: MachineCycle, trial: Trial) -> Trial:
