@@ -75,6 +75,5 @@ def _begin() -> None:
 
 
 def _end_with(parent: BaseProcess) -> None:
-    """Wait for the end of the parent, then end this process immediately."""
     wait([parent.sentinel])
     os._exit(1)

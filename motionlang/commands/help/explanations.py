@@ -43,7 +43,6 @@ def _programs(verb: str, name: str, wrong: str, right: str, machine: str) -> Pai
 
 
 def _machines(program: str, wrong: str, right: str, command: str = f"run {MINT}") -> Pair:
-    """One program on two machines."""
     return Example({MINT: program, MACHINE: wrong}, command), Example(
         {MINT: program, MACHINE: right}, command
     )

@@ -98,7 +98,6 @@ def _stays(exploration: Exploration) -> list[str]:
 
 
 def _tried(node: StateNode, reads: Collection[str]) -> str:
-    """Return the values that were tried of what a state reads."""
     values: dict[str, dict[str, None]] = {}
     for change in (each for causes in node.tried for each in causes):
         if change.subject in reads and not is_probe(change):

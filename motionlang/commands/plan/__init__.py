@@ -149,7 +149,6 @@ def _too_short(
 
 
 def _mint(move: dict[str, float], scale: float, axis: int | None, by_times: bool) -> str:
-    """Return the move in Mint, in which ramp times are milliseconds."""
     n = axis or 0
     lines = [f"SCALE({n}) = {number(scale)}"] if scale != 1.0 else []
     lines.append(f"SPEED({n}) = {number(move['speed'])}")

@@ -294,7 +294,6 @@ class CriticalPath:
         return None
 
     def _who_acted(self, time: float, task: str) -> str | None:
-        """Return a task that was not waiting at `time`, preferably `task`."""
         if self._waiting_at(task, time) is None:
             return task
         for name in self._waits:

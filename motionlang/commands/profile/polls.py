@@ -117,7 +117,6 @@ class Polls:
         return whole.items
 
     def _close(self, task: str, around: list[_Loop], whole: _Loop) -> None:
-        """Close the innermost loop and add it to the one around it."""
         loop = around.pop()
         outer = around[-1] if around else whole
         dependencies = self.dependencies(loop.at)

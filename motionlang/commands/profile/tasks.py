@@ -151,7 +151,6 @@ def _by_cause(run: Run, waits: list[Wait], end: float) -> dict[str, float]:
 
 
 def _named(cause: str, axes: Sequence[int]) -> str:
-    """Return a cause as it is shown, with its axes if there are any."""
     if cause != "axis" or not axes:
         return cause
     return f"{'axis' if len(axes) == 1 else 'axes'} {' and '.join(map(str, axes))}"

@@ -50,7 +50,6 @@ class CallListing:
         return f"{commands:<{COLUMN - 1}} {remark} {entry.name}{answer}"
 
     def _commands(self, entry: LoggedCall) -> str:
-        """Return the commands of a call, "" if it has none."""
         function = FUNCTIONS[entry.name]
         try:
             given = CallInputs(function, entry.arguments)

@@ -372,7 +372,6 @@ class Debugger:
         return hit
 
     def _count_hits(self, point: StopPoint) -> None:
-        """Count the hits at a point at which the program does not stop."""
         if point.offset in self._counted:
             self._line_hit(point, False)
 

@@ -509,7 +509,6 @@ class Feedback:
         return now if k + 1 == len(samples) and self._next(samples) == now else None
 
     def _next(self, samples: SampleBlock) -> int | None:
-        """Return the next sample with an event; None if the block has none."""
         assert self._servo is not None
         found = [sample for _, sample, _ in self._passes(samples) if sample is not None]
         lo = self.scanned + 1 - samples.first

@@ -188,7 +188,6 @@ class WaitAnalysis:
         )
 
     def _with_calls(self, points: Collection[int]) -> set[int]:
-        """Return some points and all that is called from them."""
         called = [self._points[p].calls for p in points if self._points[p].calls >= 0]
         return self._graph.reached(*called).union(points)
 

@@ -119,7 +119,6 @@ def _check_point(facts: Facts, p: int, behind: int, bits: Bits, warn: Warn) -> N
 
 
 def _next_setting(facts: Facts, p: int, key: Key, slot: str) -> Use | None:
-    """Return the use that replaces a setting."""
     seen: set[int] = set()
     stack = list(reversed(facts.graph.within[p]))
     while stack:

@@ -108,8 +108,6 @@ def _condition(
     holds: Callable[[Board, AxisState], bool],
     due: Callable[[Board, AxisState], float] = lambda board, each: inf,
 ) -> Callable[[HostProcess, ApiCall, int, float], Polled]:
-    """Return the function that polls a condition for one axis, or for all."""
-
     def begin(session: HostProcess, call: ApiCall, axis: int, timeout: float) -> Polled:
         board = session.desk.board
         axes = board.all_axes if axis == 0 else (board.axis(axis),)

@@ -34,8 +34,6 @@ def _word(which: int) -> Reader:
 
 
 def _moving(value: Callable[[Board, AxisState], float]) -> Reader:
-    """Return the reader of a value that changes while the axis moves."""
-
     def read_moving(board: Board, axis: AxisState) -> tuple[float, float]:
         controller = board.controller
         return value(board, axis), INFINITY if controller.is_still(axis.number) else controller.clock.now

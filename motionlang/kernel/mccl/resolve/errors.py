@@ -100,7 +100,6 @@ def diagnostic(source: Source, at: int, fault: Fault, severity: str = "error") -
 
 
 def _unknown_to(model: Model, command: Command) -> Fault | None:
-    """Return the fault of a command that this board does not have, or None."""
     row = command.row
     return missing(model, row) if row is not None and row.family in model.lacks else None
 
@@ -163,7 +162,6 @@ def axis_behind(command: Command, number: str, axes: int) -> bool:
 
 
 def _no_axis(command: Command, axes: int) -> Fault | None:
-    """Return the fault of an axis that this board does not have, or None."""
     if command.row is None or command.row.index not in ("axis", "axes") or command.axis <= axes:
         return None
     hint = f"the axes are 1 to {axes}; controller.axes sets their number"
@@ -171,7 +169,6 @@ def _no_axis(command: Command, axes: int) -> Fault | None:
 
 
 def _wrong_here(line: Line, k: int, command: Command, model: Model, flow: Flow) -> Fault | None:
-    """Return the fault of a command at its position in the line, or None."""
     row = command.row
     assert row is not None
     if row.index == "axis" and command.axis == 0:

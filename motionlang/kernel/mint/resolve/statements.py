@@ -249,7 +249,6 @@ class FactsReader:
     def _channels(
         self, at: int, name: nodes.Name, row: Keyword, access: str, values: list[nodes.Expr], alias: str
     ) -> Iterator[ChannelUse]:
-        """Yield the uses of the channels that a keyword numbers."""
         kinds = row.index.split(", ")
         numbers = [
             each

@@ -120,7 +120,6 @@ def _using_float(value: float, width: int, decimals: int = 0) -> str:
 
 
 def _using_integer(value: float, width: int, decimals: int | None = None) -> str:
-    """Format an Integer as `%wd`, with decimals as a Float."""
     if decimals is not None:
         return _using_float(value, width, decimals)
     sign, width = _width(width)

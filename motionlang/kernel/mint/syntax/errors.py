@@ -304,7 +304,6 @@ class _Reader:
         return found if line is not None else ""
 
     def _corrected_words(self, at: int, count: int, kinds: Sequence[str]) -> list[Token]:
-        """Return tokens of these kinds in place of some words."""
         words = self.tokens[at : at + count]
         return [_as(kind, words[min(i, count - 1)]) for i, kind in enumerate(kinds)]
 
