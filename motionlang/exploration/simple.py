@@ -20,7 +20,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import chain
-from math import inf
+from math import fsum, inf
 from typing import NamedTuple
 
 from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, number_in
@@ -169,9 +169,9 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
-    value += sum(worth * min(count / often, 1.0) for (worth, _), count in right.items())
-    value -= WRONG * sum(min(count / often, 1.0) for count in faults.values())
-    value -= ENTRY * sum(len(entries(settings, table)) for table in TABLES)
+    value += fsum(worth * min(count / often, 1.0) for (worth, _), count in right.items())
+    value -= WRONG * fsum(min(count / often, 1.0) for count in faults.values())
+    value -= ENTRY * fsum(len(entries(settings, table)) for table in TABLES)
     said = max((count for (worth, _), count in right.items() if worth == SAID), default=0)
     fault = "" if works or not run.machine.log.moves else "only homes"
     if faults.total() > HALF * said:
