@@ -1,4 +1,4 @@
-"""Inputs and levels by the position of an axis: those that come in the middle of moves, or while an axis jogs."""
+"""Inputs by the position of an axis, in the middle of moves or while it jogs, and what answers when it is asked."""
 
 from __future__ import annotations
 

@@ -6,11 +6,10 @@
     follows an output          each of its changes comes after one of the output; inverted, too
     when asked                 a person, a host or an unknown sensor answers as soon as the program asks
     follows it as measured     the delays of on and off differ, or it is on for some time after a change of the output
-    on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
 
 At first all of them answer when they are asked, or at their times if the cycle does not repeat so. Keys and numbers of
-a host that come again follow an output, or come when asked. A level that changes while an axis jogs rises with it.
+a host that come again follow an output, or come when asked.
 
 A rule holds if each task does what it did in the played run, in the same order: moves, outputs, and prints but for
 their figures; or if it moves so and says less of what is wrong. A move that is over at once is another one than a move
