@@ -73,6 +73,5 @@ def _is_table(value: object) -> bool:
 
 
 def _typed(entry: Entry) -> Entry:
-    """Return an entry with its value as it is typed: 1 in place of 1.0."""
     value = entry.get("value")
     return {**entry, "value": int(value)} if isinstance(value, float) and value.is_integer() else entry

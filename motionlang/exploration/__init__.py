@@ -316,7 +316,8 @@ def explore(
             found, left = Exploration(explorer), left - 1
         if left and explorer.explore(left * BEHIND * work):
             found = Exploration(explorer)
-        found.world = better_world(explorer, found.world, found.cycles)
+        if used() < SEARCH:
+            found.world = better_world(explorer, found.world, found.cycles)
     except Interrupted as at:
         if not keeps:
             raise

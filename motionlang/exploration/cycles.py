@@ -178,7 +178,6 @@ def _is_right(each: Transition) -> bool:
 
 
 def _loops(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
-    """Yield the loops of transitions."""
     count = 0
     for start, node in nodes.items():
         if start is None:

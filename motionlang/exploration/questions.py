@@ -100,7 +100,6 @@ def pulses(
 
 
 def _leads_on(explorer: Explorer, node: StateNode, visit: Visit, trial: Trial) -> bool:
-    """True if a trial leads from a state to another one, or moves an axis."""
     last = [each.state for each in explorer.rests(trial)[-1:]]
     return last != [node.state] or bool(trial.part(visit.change_time, inf).moves)
 

@@ -29,7 +29,7 @@ from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import is_short_move, plain, without_figures
 from motionlang.exploration.values import is_probe
-from motionlang.exploration.world import ASKED, EVERY, ON, FoundWorld, world_of
+from motionlang.exploration.world import ASKED, ON, PULSES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
 
@@ -37,7 +37,7 @@ from motionlang.kernel import Run
 SHARE, TRIES, LENGTH = 2.0, 100, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
-LITTLE, OTHERS, MORE = 0.5, 2, 1.0
+LITTLE, OTHERS, MORE = 0.4, 2, 1.0
 # What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, a line that moves to a target, another motion, an output, a printed line, its
@@ -47,8 +47,6 @@ WHOLE, MOVE, JOG, OUTPUT, SAID, ENDS = 4.0, 1.5, 0.5, 0.5, 2.0, 2.0
 WRONG, NEVER, NOTHING, ENTRY = 4.0, 3.0, 5.0, 0.01
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
-# An input that comes and goes, s.
-PULSES: Entry = {"at": EVERY / 2, "for": EVERY / 2, "every": EVERY}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
 MARKS, LENGTHS, ALL = 7, 3, 300
 # Levels and numbers that are tried.

@@ -417,7 +417,6 @@ def _every(number: int, channel: Digital, seen: Observation) -> Iterator[Measure
 
 
 def _once(number: int, channel: Digital, seen: Observation) -> Iterator[MeasuredRule]:
-    """Yield the rule of an input that changes once, or is active once."""
     changes = channel.changes
     if len(changes) > 2:
         return

@@ -188,7 +188,6 @@ def _line(marks: Sequence[_Mark], counts: Sequence[int]) -> tuple[float, float, 
 
 
 def _marks(marks: Sequence[_Mark], counts: Sequence[int]) -> _Region:
-    """Return the region of marks at equal distances."""
     (first, last), number = marks[0], counts[-1] + 1
     spread = max(each.spread for each in chain.from_iterable(marks))
     if number == 1:

@@ -199,7 +199,6 @@ def _pairs(trace: ComparedMotion, signals: Sequence[Signal], delay: float) -> It
 
 
 def _thinned(signals: Sequence[Signal], points: int) -> list[Signal]:
-    """Return the signals with at most about twice `points` points each."""
     strides = [max(1, len(signal.times) // points) for signal in signals]
     return [
         signal._replace(times=signal.times[::stride], values=signal.values[::stride])

@@ -284,7 +284,6 @@ def match(trace: ComparedMotion, signal: Signal) -> Matched | None:
 
 
 def _moves_at_end(trace: ComparedMotion, axis: int, step: float) -> bool:
-    """True if the end of a motion cuts one of its strokes."""
     times = np.arange(0.0, trace.end, step)
     speeds = np.abs(np.diff(trace.at(axis, "position", times))) / step
     last = trace.at(axis, "position", np.array([trace.end - END, trace.end]))

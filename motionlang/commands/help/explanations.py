@@ -49,7 +49,6 @@ def _machines(program: str, wrong: str, right: str, command: str = f"run {MINT}"
 
 
 def _commands(files: Mapping[str, str], wrong: str, right: str) -> Pair:
-    """Two commands with the same files."""
     return Example(files, wrong), Example(files, right)
 
 

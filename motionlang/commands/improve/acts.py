@@ -69,7 +69,6 @@ def acts_of(run: Run, tasks: Tasks) -> dict[str, list[OrderedAct]]:
 
 
 def _moving(spans: dict[int, list[tuple[float, LoggedMove]]], time: float) -> Iterator[tuple[int, Place]]:
-    """Yield the axes that move at a time, without homing, and their moves."""
     for axis, moves in sorted(spans.items()):
         at = bisect_right(moves, time, key=lambda each: each[0]) - 1
         begin, move = moves[max(at, 0)]

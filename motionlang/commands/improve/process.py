@@ -147,7 +147,6 @@ class Process:
         ]
 
     def _speed(self, move: LoggedMove) -> float:
-        """Return the speed of a move; of a path that of all its axes."""
         if move.commanded_speed is not None:
             return _own_speed(move)
         return self._speeds[move.start_time, move.line, move.command]

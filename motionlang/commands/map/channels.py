@@ -163,7 +163,6 @@ def only_named(names: Iterable[Named], channels: Iterable[Channel]) -> list[Name
 
 
 def _is_polled(use: ChannelUse, readings: Iterable[Read]) -> bool:
-    """True if a loop that tests these readings polls a channel."""
     return any(
         DEVICES.get(kind) == use.channel and use.number in (str(number), "0" if number is None else "")
         for kind, number in readings

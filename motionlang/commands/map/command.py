@@ -107,7 +107,6 @@ examples:
 
 
 def _unit(made: ProgramMap, name: str) -> Unit:
-    """Return a unit by its name or title; Refused if there is none."""
     wanted = name.lower()
     found = [each for each in made.structure.units if wanted in (each.name.lower(), each.title.lower())]
     if found:

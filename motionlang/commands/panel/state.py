@@ -151,7 +151,6 @@ def _mode(play: Play) -> str:
 
 
 def _end(result: Run) -> str:
-    """Return how a run has ended, in words."""
     errors = [each for each in result.diagnostics if each.severity == "error"]
     if result.crash is not None:
         return f"internal error: {result.crash}"

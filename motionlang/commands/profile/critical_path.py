@@ -351,7 +351,6 @@ class CriticalPath:
             self._strip_of(motion, task, waited, begin).add(begin, time)
 
     def _strip_of(self, motion: Motion, task: str, waited: SourcePosition, begin: float = 0.0) -> Strip:
-        """Return the strip of a move, or of its remainder from `begin` on."""
         _, began, line, axes, shape = motion
         position = self.positions.at_line(line)
         if waited.callers and position.sub == waited.sub:

@@ -78,7 +78,6 @@ def _in_line(rows: Rows, times: Array, lines: Rows, remarks: list[Diagnostic]) -
 
 
 def _usual(times: Array) -> float:
-    """Return the usual step between two times, 0 if there is none."""
     steps = np.abs(np.diff(times))
     return float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
 

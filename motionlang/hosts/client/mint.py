@@ -166,7 +166,6 @@ class MintClient(Connection):
         return match[0]
 
     def _read_until(self, enough: Callable[[bytes], bool], query: str, seconds: float) -> bytes:
-        """Read until `enough` returns True; raise NoReply after `seconds`."""
         end, received = self._wire.now() + seconds, b""
         while not enough(received):
             chunk = self._wire.receive(end - self._wire.now())

@@ -465,7 +465,6 @@ def commands_for(interface: Interface, function: ApiFunction, given: dict[str, A
 
 
 def _by_column(mccl: str, given: dict[str, Any]) -> Command:
-    """Return the one command of a function, from its column in the table."""
     head, _, parameter = mccl.rstrip("}").partition("{")
     axis: int = given["axis"] if head[0] == "a" else 0
     value: float | None = given[parameter] if parameter else None

@@ -428,7 +428,6 @@ class _Hosts:
 
 
 def _sentence(diagnostic: Diagnostic, with_line: bool = False) -> str:
-    """Return the line that a controller prints for a diagnostic."""
     number = NUMBERS.get(diagnostic.code)
     kind = "Warning" if diagnostic.severity != "error" else f"Error {number[0]}" if number else "Error"
     where = f" at line {diagnostic.line}" if with_line and diagnostic.line else ""

@@ -136,7 +136,6 @@ class Receiver:
         return self._ended(frame, bytes([ACK if done else NAK]))
 
     def _ended(self, frame: bytearray, answer: bytes) -> bytes:
-        """End a frame and return its answer, which is empty for another card."""
         self._frame = None
         return answer if bytes(frame[:2]) == CARD else b""
 

@@ -110,7 +110,6 @@ def _row(section: str, is_table: bool, key: str) -> _Row | None:
 
 
 def _rows(section: str, is_table: bool) -> Iterator[_Row]:
-    """Yield the keys of a section, with their names in that section."""
     if is_table:
         for name, (kind, help) in TABLES.get(section, {}).items():
             yield _Row(name, kind, help, CHOICES.get(kind, ()))

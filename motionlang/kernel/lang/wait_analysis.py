@@ -203,7 +203,6 @@ class WaitAnalysis:
     # ------------------------------------------------------------------------------------------------- readings
 
     def _assigning(self, inside: list[int]) -> dict[Variable, list[int]]:
-        """Return the points, among some, that assign to each variable."""
         found: defaultdict[Variable, list[int]] = defaultdict(list)
         for p in inside:
             if p in self._assigned:

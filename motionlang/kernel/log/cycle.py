@@ -437,7 +437,6 @@ class _Sequence:
         return sum(bool(self.keys[k].axes) for k in found.typical)
 
     def _prints(self, found: _Repetition) -> bool:
-        """True if a repetition has a print that comes once in it."""
         return any(self.keys[k].kind == PRINT for k in found.once)
 
     def _whole_turns(self, found: _Repetition) -> _Repetition:

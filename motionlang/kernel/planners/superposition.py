@@ -129,7 +129,6 @@ def _end_of_sum(first: Profile, second: Profile, time: float) -> float:
 
 
 def _end(profile: Profile, time: float) -> float:
-    """Return the position of a profile at the time when the longer one ends."""
     return profile.end if time == inf and profile.duration == inf else _later(profile, time)
 
 

@@ -267,7 +267,6 @@ def _first_below(f: Array, g: Array, c: Array, period: float, grid: Array) -> in
 
 
 def _gain(f: Array, g: Array, c: Array, frequencies: Array, period: float) -> Complex:
-    """Return C (zI - F)^-1 G on the unit circle."""
     z = np.exp(2j * pi * frequencies * period)
     matrices = z[:, None, None] * np.eye(len(f)) - f
     driven = np.broadcast_to(g, (len(z), len(g)))[:, :, None].astype(np.complex128)

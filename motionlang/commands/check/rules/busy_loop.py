@@ -53,7 +53,6 @@ def _is_quiet(facts: MintFacts, p: int) -> bool:
 
 
 def _with_subs(facts: MintFacts, loop: set[int]) -> set[int]:
-    """Return the points of a loop and of all subs that it calls."""
     callees = [facts.callee(act) for p in loop for act in facts.acts.get(p, ()) if act.callee]
     called = [each for callee in callees for each in facts.called(callee)]
     return loop.union(*(facts.points[each] for each in called))

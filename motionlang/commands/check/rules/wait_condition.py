@@ -44,7 +44,6 @@ def _replace(facts: MintFacts, node: nodes.Node, message: str, hint: str, word: 
 
 
 def _waits_for_condition(node: nodes.Assign | nodes.Call) -> bool:
-    """True if the time of a WAIT is a condition, which is 0 or 1 ms."""
     target = meant(node.target)
     if type(target) is not nodes.Name or target.row is None or target.row.function != "wait":
         return False

@@ -260,7 +260,6 @@ class Asking:
         self._starts[starter] = now
 
     def _is_moving(self, task: object) -> bool:
-        """True if an axis moves that a task has started."""
         return any(by is task and not a.is_at_standstill for a, by in self._starters.items())
 
     # ----------------------------------------------------------------------------------------------- queries

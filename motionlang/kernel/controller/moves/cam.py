@@ -235,7 +235,6 @@ class Cam(CurveFollow):
         return self.a.clock.now + min((time for time in times if time is not None), default=INFINITY)
 
     def _segment(self, along: float) -> int:
-        """Return the segment of the curve at a distance along it, from 0."""
         return bisect_right(self.curve.knots, along, 1, len(self.curve.knots) - 1) - 1
 
 

@@ -53,7 +53,6 @@ def _has_no_path(task: CommandTask, command: Command) -> bool:
 
 
 def _paths(task: CommandTask, command: Command) -> Wait | None:
-    """Return the wait until no contour path of the axes waits."""
     if _has_no_path(task, command):
         return None
     axes = tuple([axis.number for axis in task.axes(command)])
@@ -134,8 +133,6 @@ def passing_flag(board: Board, ready: Callable[[], bool], why: str) -> Wait:
 
 
 def _target(index: int) -> Callable[[CommandTask, Command], Wait | None]:
-    """Return the wait for one of the axes that a command addresses."""
-
     def until_target(task: CommandTask, command: Command) -> Wait | None:
         axis, now = task.axes(command)[index], task.board.controller.clock.now
         until = at_target_time(task.board, axis)

@@ -157,7 +157,6 @@ def _if(b: Body, node: nodes.If) -> None:
 
 
 def _else_if(orelse: list[nodes.Stmt]) -> nodes.If | None:
-    """Return the If of an ElseIf, None for an Else."""
     first = orelse[0] if len(orelse) == 1 else None
     return first if type(first) is nodes.If else None
 
