@@ -43,6 +43,7 @@ def written(cell: Cell, name: str, text: str, form: str, *options: str) -> str:
     return (cell.folder / f"m.{form}").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_graphs_are_in_the_grammar_of_their_tool(cell: Cell) -> None:
     parser = Lark(MERMAID)
     for name in PROGRAMS:
