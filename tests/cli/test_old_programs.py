@@ -149,7 +149,7 @@ CASES = {
 
 
 # `init` finds the world of each of these in less than a second; both languages and edits are among them.
-QUICK = ("glue.mnt", "bagwelder.prg", "coiler.prg", "rotary.mccl")
+QUICK = ("bagwelder.prg", "coiler.prg", "rotary.mccl")
 
 
 @pytest.mark.parametrize(
