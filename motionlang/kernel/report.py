@@ -102,7 +102,7 @@ def _brief(run: Run, move: LoggedMove, running: dict[int, float | None]) -> Row:
         "command": move.command,
         "line": move.line,
         "duration": profile.duration,
-        "distance": _distance(profile.distance, profile, scale),
+        "distance": _distance(profile.distance, _rounding(profile), scale),
         "peak_speed": _peak(profile) / abs(scale),
     }
 
@@ -179,16 +179,23 @@ _RAMPS = ("accel", "slew", "decel", "stop")
 
 
 def _phases(profile: Profile, scale: float) -> list[Row]:
+    rounding = _rounding(profile)
     return [
-        {"name": each.name, "duration": each.duration, "distance": _distance(each.distance, profile, scale)}
+        {"name": each.name, "duration": each.duration, "distance": _distance(each.distance, rounding, scale)}
         for each in profile.phases
     ]
 
 
-def _distance(distance: float, profile: Profile, scale: float) -> float:
-    """Return a distance within a profile in user units, 0 if it is rounding alone, as that of a whole circle."""
-    size = max(abs(each) for each in (profile.start, profile.end, *(p.distance for p in profile.phases)))
-    return distance / scale if abs(distance) > 1e-12 * size else 0.0
+def _rounding(profile: Profile) -> float:
+    """Return the distance in counts below which a distance within a profile is rounding alone."""
+    return 1e-12 * max(
+        abs(each) for each in (profile.start, profile.end, *(p.distance for p in profile.phases))
+    )
+
+
+def _distance(distance: float, rounding: float, scale: float) -> float:
+    """Return a distance in user units, 0 if it is rounding alone, as that of a whole circle."""
+    return distance / scale if abs(distance) > rounding else 0.0
 
 
 def _standing(profile: Profile) -> list[Row]:
@@ -215,7 +222,7 @@ def _move(run: Run, move: LoggedMove, running: dict[int, float | None], motor: M
         "duration": profile.duration,
         "start": move.to_user(profile.start),
         "end": move.to_user(profile.end),
-        "distance": _distance(profile.distance, profile, scale),
+        "distance": _distance(profile.distance, _rounding(profile), scale),
         "peak_speed": peak / size,
         **({} if move.commanded_speed is None else {"commanded_speed": move.commanded_speed / size}),
         "phases": _phases(profile, scale) if peak else _standing(profile),
