@@ -30,7 +30,7 @@ SIGNS = (
 
 
 SCRIPTS = Path(__file__).parents[4] / "scripts"
-NAMES = ("mint/pick-and-place.mnt", "mint/two-tasks.mnt", "mccl/cut-to-length.mcl", "mint/teach-in.mnt")
+NAMES = ("mint/pick-and-place.mnt", "mint/two-tasks.mnt", "mccl/cut-to-length.mcl")
 PROGRAMS = {name.partition("/")[2]: (SCRIPTS / name).read_text(encoding="utf-8") for name in NAMES} | {
     "signs.mnt": SIGNS
 }
