@@ -61,7 +61,7 @@ from motionlang.exploration.further import goes_further
 from motionlang.exploration.playing import played
 from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
 from motionlang.exploration.search import MAX_WORK, Explorer
-from motionlang.exploration.simple import LENGTH, better_world, neighbours
+from motionlang.exploration.simple import LENGTH, better_world, fault_of, neighbours
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import FoundSwitches
 from motionlang.exploration.trials import (
@@ -275,6 +275,10 @@ class Exploration:
     def run(self, settings: Mapping[str, object], until: float) -> Run:
         """Run the program in the world with some entries of a machine file whose `run.until` is a time, s."""
         return self._explorer.trials.run_in({**settings, "run.until": until})[0]
+
+    def fault_of(self, run: Run) -> str:
+        """Return what is wrong with the work of a run in words, "" if nothing is."""
+        return fault_of(self._explorer, run)
 
     def line(self, at: int) -> int:
         """Return the line of a source offset."""

@@ -52,7 +52,7 @@ _WRONG = re.compile(
 # What a program says when it stops, but for its start.
 STOPPED = re.compile("stopped", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
-_ALARM = re.compile(r"alarm|\bfault|error|fail|reject|scrap|\bbad\b|horn$|siren|buzzer", re.IGNORECASE)
+_ALARM = re.compile(r"alarm|(?<!de)fault|error|fail|reject|scrap|\bbad\b|horn$|siren|buzzer", re.IGNORECASE)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
@@ -65,7 +65,7 @@ class MachineCycle:
 
     `visit` leads there, `lines` are those that move an axis in it, `work` those that do more than a homing; `done` are
     those of them with a move that ends by itself, and `outputs` are switched on. The likelier a person names it, the
-    larger is its `value`; `fault` is what is wrong with it, "" if nothing is.
+    larger is its `value`.
     """
 
     transitions: tuple[Transition, ...]
@@ -75,7 +75,6 @@ class MachineCycle:
     done: frozenset[int]
     outputs: frozenset[int]
     value: float
-    fault: str = ""
 
     @property
     def states(self) -> tuple[RestState | None, ...]:
@@ -207,8 +206,7 @@ def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -
         value = _value(transitions, visit, work - known.at_start, known)
         outputs = _outputs(transitions)
         value -= JOGGING * (not (_done(transitions) or outputs or _said(transitions)))
-        fault = _fault(outputs, _said(transitions), known)
-        yield MachineCycle(transitions, visit, lines, work, _done(transitions), outputs, value, fault)
+        yield MachineCycle(transitions, visit, lines, work, _done(transitions), outputs, value)
 
 
 def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
@@ -227,8 +225,7 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
                 value = _value(path, each.visit, work - known.at_start, known)
                 value -= CHANGE * changes + WHOLE_RUN
-                fault = _fault(outputs, _said(path), known)
-                yield MachineCycle(path, each.visit, tuple(lines), work, _done(path), outputs, value, fault)
+                yield MachineCycle(path, each.visit, tuple(lines), work, _done(path), outputs, value)
 
 
 def _others(
@@ -282,16 +279,7 @@ def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
         begin = max((time for time, _ in work.timeline), default=0.0)
         visit, lines = Visit(work.timeline, begin), tuple(sorted(work.lines))
-        fault = _fault(work.outputs, sorted(work.said), known)
-        yield MachineCycle((), visit, lines, work.lines, work.done, work.outputs, value, fault)
-
-
-def _fault(outputs: frozenset[int], said: Iterable[str], known: _Known) -> str:
-    """Return what is wrong with a cycle in words, "" if nothing is; a line that is only a figure says nothing."""
-    texts, switched = [each for each in said if re.search("[A-Za-z]", each)], sorted(outputs & known.alarms)
-    if texts and all(wrong([each]) for each in texts):
-        return f"prints {', '.join(dict.fromkeys(texts))}"
-    return f"switches on output {switched[0]}, an alarm by its name" if switched else ""
+        yield MachineCycle((), visit, lines, work.lines, work.done, work.outputs, value)
 
 
 def _work(transitions: Iterable[Transition]) -> frozenset[int]:

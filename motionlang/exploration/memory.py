@@ -47,7 +47,8 @@ class Memory:
         self._structure = structure
         self._bits: dict[tuple[str, int], int] = {}
         needed = self._needed()
-        counting = self._counting() | self._given()
+        given, measured = self._given()
+        counting = self._counting() | measured
         self._at: defaultdict[int, int] = defaultdict(int)
         for p, point in enumerate(self._graph.points):
             self._at[point.at] |= needed[p]
@@ -56,6 +57,8 @@ class Memory:
             for (call, n), bit in self._bits.items()
             if not call and n < MAX_SHARED and not bit & counting
         }
+        # Those of which only counts if they are zero.
+        self._signs = {n for bit, n in self._shared.items() if bit & given}
 
     def variables(self, offsets: Iterable[int]) -> list[int]:
         """Return the variables that count at each of some statements, in order.
@@ -67,6 +70,10 @@ class Memory:
             found &= self._at.get(each, 0)
         return sorted(n for bit, n in self._shared.items() if bit & found)
 
+    def value(self, n: int, value: object) -> object:
+        """Return what counts of the value of a variable."""
+        return value not in (0, "") if n in self._signs else value
+
     @cached_property
     def all(self) -> list[int]:
         """All variables that count anywhere, in order."""
@@ -75,8 +82,8 @@ class Memory:
             found |= bits
         return sorted(n for bit, n in self._shared.items() if bit & found)
 
-    def _given(self) -> int:
-        """Return the bits of the variables that take a level, a number, a key or an answer, or a copy of a level."""
+    def _given(self) -> tuple[int, int]:
+        """Return the bits of the variables that take a number, a key or an answer, and those with a level or a copy."""
         found = 0
         measured: set[int] = set()
         # What is set from which shared variables alone.
@@ -85,9 +92,10 @@ class Memory:
             statement = self._structure.statements.get(self._graph.points[p].at)
             read = [] if statement is None else [each for each in statement.channels if each.access == READ]
             if use is not None and any(each.channel not in INPUTS for each in read):
-                found |= self._mask(p, use.sets)
                 if any(each.channel == "analogue input" for each in read):
                     measured |= use.sets
+                else:
+                    found |= self._mask(p, use.sets)
             elif use is not None and use.reads and min((*use.reads, *use.sets)) >= 0:
                 copies.append((set(use.reads), use.sets))
         readers: defaultdict[int, list[int]] = defaultdict(list)
@@ -103,7 +111,7 @@ class Memory:
                 if not reads:
                     waiting += sets - measured
                     measured |= sets
-        return found | self._mask(0, [n for n in measured if n >= 0])
+        return found, self._mask(0, [n for n in measured if n >= 0])
 
     def _counting(self) -> int:
         """Return the bits of the variables that are set to a sum with themselves, at once or through another one."""

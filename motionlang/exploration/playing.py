@@ -79,7 +79,9 @@ def played(
 
     def is_due(trial: Trial) -> bool:
         found = explorer.rests(trial)
-        return any(trial.time - max(rest.begin, at) > SHORT for rest in _due(found, policy, at, before))
+        return any(
+            trial.time - max(rest.begin, at) > SHORT for rest in _due(trial, found, policy, at, before)
+        )
 
     before: RestState | None = None
     back: list[Change] = []
@@ -89,7 +91,7 @@ def played(
         if turn >= most and not 0 < count(cycle, trial) < times:
             break
         found = explorer.rests(trial)
-        due = next(_due(found, policy, at, before), None)
+        due = next(_due(trial, found, policy, at, before), None)
         changes: Causes = ()
         goes_on = False
         if due is not None:
@@ -105,7 +107,7 @@ def played(
             changes = () if due is None else _leading_on(explorer, timeline, due, at)
         if due is None or not changes:
             break
-        reset = _reset(explorer, changes, timeline) if _is_same(due, at, before) else ()
+        reset = _reset(explorer, changes, timeline) if _is_same(trial, due, at, before) else ()
         before, begin = None if goes_on else due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
         new = {each.channel for each in changes}
@@ -198,13 +200,15 @@ def _onward(explorer: Explorer, state: RestState, policy: Collection[RestState |
 
 
 def _due(
-    found: list[Rest], policy: Collection[RestState | None], at: float, before: RestState | None
+    trial: Trial, found: list[Rest], policy: Collection[RestState | None], at: float, before: RestState | None
 ) -> Iterator[Rest]:
     """Yield the rests from a time on that last until a change of the policy, but for the stay that was just changed."""
     for rest in found:
-        if rest.state in policy and not _is_same(rest, at, before) and rest.end - max(rest.begin, at) > SHORT:
+        is_due = rest.state in policy and rest.end - max(rest.begin, at) > SHORT
+        if is_due and not _is_same(trial, rest, at, before):
             yield rest
 
 
-def _is_same(rest: Rest, at: float, before: RestState | None) -> bool:
-    return rest.state == before and rest.begin <= at + BODY
+def _is_same(trial: Trial, rest: Rest, at: float, before: RestState | None) -> bool:
+    is_soon = rest.state == before and rest.begin <= at + BODY
+    return is_soon and not any(at <= each.begin < rest.begin and not each.is_short for each in trial.moves)

@@ -134,7 +134,11 @@ def _with_memory(rest: Rest, trial: Trial, memory: Memory, forgotten: Collection
             if values and all(each[k] == values[0][k] for each in values)
         ]
         state.append(
-            place._replace(memory=tuple(each for each in kept if isinstance(each[1], (int, float, str))))
+            place._replace(
+                memory=tuple(
+                    (n, memory.value(n, value)) for n, value in kept if isinstance(value, (int, float, str))
+                )
+            )
         )
     return tuple(state)
 

@@ -43,7 +43,7 @@ from motionlang.exploration.trials import (
 )
 from motionlang.exploration.values import is_probe, printed_for
 from motionlang.kernel import Program, dialect
-from motionlang.kernel.lang import names_in_comments
+from motionlang.kernel.lang import Named, names_in_comments
 from motionlang.kernel.log import Printed, Switched
 
 # The work of an exploration, in statements: about ten seconds.
@@ -111,8 +111,11 @@ class Explorer:
         # The axes that each line moves.
         self.axes: dict[int, set[int]] = defaultdict(set)
         # The outputs whose names say that something is wrong.
-        names = names_in_comments(program.source, dialect(program.language))
-        self.alarms = alarms_in(names)
+        uses = (each for some in structure.statements.values() for each in some.channels)
+        aliases = [
+            Named(each.channel, int(each.number), each.alias, 0) for each in uses if each.number.isdecimal()
+        ]
+        self.alarms = alarms_in((*names_in_comments(program.source, dialect(program.language)), *aliases))
         # Work that goes on without a rest.
         self.working: list[Work] = []
 

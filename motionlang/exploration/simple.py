@@ -17,7 +17,6 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from itertools import chain
 from math import fsum, inf
@@ -27,14 +26,15 @@ from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, nu
 from motionlang.exploration.cycles import MachineCycle, is_wrong, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
-from motionlang.exploration.trials import is_short_move, plain, without_figures
+from motionlang.exploration.trials import SHORTEST_MOVE, is_short_move, plain, without_figures
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.world import ASKED, ON, PULSES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
 
-# So much of the work of an exploration simple worlds may take, in so many runs of this length, s.
-SHARE, TRIES, LENGTH = 2.0, 100, 60.0
+# So much of the work of an exploration simple worlds may take, less where a good one was found, in so many runs of this
+# length, s.
+SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 100, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
@@ -47,8 +47,12 @@ WHOLE, MOVE, JOG, OUTPUT, SAID, ENDS = 4.0, 1.5, 0.5, 0.5, 2.0, 2.0
 WRONG, NEVER, NOTHING, ENTRY = 4.0, 3.0, 5.0, 0.01
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
+# A flow meter or a tachometer comes and goes so fast, s.
+COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
 MARKS, LENGTHS, ALL = 7, 3, 300
+# So many rules of each channel are tried first.
+FIRST = 7
 # Levels and numbers that are tried.
 LEVELS, NUMBERS = (30.0, 50.0, 70.0), (1, 2, 3, 10, 100)
 
@@ -58,18 +62,18 @@ Settings = Mapping[str, object]
 class Tried(NamedTuple):
     """A run in a world: the statements that begin, their share of the program, its worth, and if its work is good.
 
-    `times` is how often the line moves an axis that does so most often.
-    `fault` is what is wrong with it in words, "" if its work is good.
+    `read` are the channels that it reads, in the order in which it reads them first. `times` is how often the line
+    moves an axis that does so most often.
     """
 
     settings: Settings
     run: Run
     begun: frozenset[int]
+    read: Sequence[Channel]
     times: int
     share: float
     value: float
     is_good: bool
-    fault: str
 
 
 def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[MachineCycle]) -> FoundWorld:
@@ -95,7 +99,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
-    starts = [(_with_others({**found.settings, "input": []}, inputs, ASKED), found)]
+    starts = [(_with_others({**found.settings, "input": []}, inputs, rule), found) for rule in (ASKED, ON)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
     least = max(min(first.times, ENOUGH), 1)
     tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
@@ -107,8 +111,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         if climbed.value > best.value:
             best, world = climbed, other
     if not best.is_good or best.value < first.value + MORE:
-        return found._replace(cycle=replace(found.cycle, fault=found.cycle.fault or first.fault))
-    return world._replace(cycle=replace(world.cycle, fault=""), settings=best.settings, run=best.run)
+        return found
+    return world._replace(settings=best.settings, run=best.run)
 
 
 def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
@@ -126,17 +130,28 @@ def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Sett
 
 
 def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int) -> Tried:
-    """Return the simple world that is worth most: each channel takes the best of its rules, until none is better."""
-    trials, before = explorer.trials, -inf
-    most, last = trials.work + SHARE * explorer.whole, trials.count + TRIES
-    while best.value > before:
-        before = best.value
-        for channel in channels:
-            for settings in _others(explorer, channel, best):
-                if trials.work > most or trials.count > last:
+    """Return the simple world that is worth most: channels take the best of their rules until none is better.
+
+    What the run has read for the first time last comes first, since it may be what stops it; then what starts a
+    handler. The first rules of all channels come before the others.
+    """
+    trials = explorer.trials
+    begun, last = trials.work, trials.count + TRIES
+    part, before = slice(FIRST), best.value
+    while True:
+        read = [*reversed(best.read), *(("input", each) for each in sorted(explorer.triggers))]
+        for channel in (each for each in dict.fromkeys(read) if each in channels):
+            for settings in [*_others(explorer, channel, best)][part]:
+                share = GOOD if best.is_good else SHARE
+                if trials.work > begun + share * explorer.whole or trials.count > last:
                     return best
                 best = max(best, _tried(explorer, settings, least), key=lambda each: each.value)
-    return best
+            if best.value > before:
+                break
+        if best.value <= before and part.start:
+            return best
+        part = slice(FIRST) if best.value > before else slice(FIRST, None)
+        before = best.value
 
 
 def _channels(explorer: Explorer) -> list[Channel]:
@@ -150,10 +165,10 @@ def _channels(explorer: Explorer) -> list[Channel]:
 
 def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     """Return a run in a world with its worth; it works if it does something at least so often, or ends."""
-    run, begun = explorer.trials.run_in(settings, LENGTH)
+    run, begun, read = explorer.trials.run_in(settings, LENGTH)
     begun -= explorer.handlers
     right, faults = _acts(explorer, run)
-    has_ended, statements = run.status == "ended", explorer.program.structure.statements.values()
+    has_ended = run.status == "ended"
     # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
     done = min((right[worth, line] for worth, line in right if worth == MOVE), default=0)
     log = run.machine.log
@@ -161,21 +176,49 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     last = max(chain(acts, (each.start_time for each in log.moves)), default=0.0)
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
     never = is_stuck and not run.has_run_out and done < ENOUGH
-    moves = any(use.row.topic == "move" for each in statements for use in each.axes)
     times = max((count for (worth, _), count in right.items() if worth in (MOVE, JOG)), default=0)
-    works = times >= (1 if has_ended else least) or not moves
+    works = times >= (1 if has_ended else least) or not _moving(explorer)
     often = 1 if has_ended else ENOUGH
-    share = len(begun) / max(len(statements), 1)
+    share = len(begun) / max(len(explorer.program.structure.statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += fsum(worth * min(count / often, 1.0) for (worth, _), count in right.items())
     value -= WRONG * fsum(min(count / often, 1.0) for count in faults.values())
     value -= ENTRY * fsum(len(entries(settings, table)) for table in TABLES)
-    said = max((count for (worth, _), count in right.items() if worth == SAID), default=0)
-    fault = "" if works or not run.machine.log.moves else "only homes"
-    if faults.total() > HALF * said:
-        fault = f"prints {', '.join(faults)}"
-    is_good = works and not (fault or never)
-    return Tried(settings, run, frozenset(begun), times, share, round(value, 6), is_good, fault)
+    is_good = works and not (never or fault_of(explorer, run))
+    return Tried(settings, run, frozenset(begun), read, times, share, round(value, 6), is_good)
+
+
+def fault_of(explorer: Explorer, run: Run) -> str:
+    """Return what is wrong with the work of a run in words, "" if nothing is.
+
+    A run that only jogs does no work if the program has moves that no trial has made.
+    """
+    right, faults = _acts(explorer, run)
+    often = {
+        worth: max((right[each] for each in right if each[0] == worth), default=0)
+        for worth in (MOVE, JOG, SAID)
+    }
+    if faults.total() > HALF * (often[SAID] or often[MOVE]):
+        texts = {
+            without_figures(text): text for text in (plain(each.text) for each in run.machine.log.prints)
+        }
+        said = [repr(texts[each]) for each in faults if each in texts]
+        return (
+            f"prints {', '.join(said)}" if said else f"switches on {next(iter(faults))}, an alarm by its name"
+        )
+    if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
+        return "cuts off its moves at once"
+    if often[MOVE] or often[SAID] or not run.machine.log.moves:
+        return ""
+    if not often[JOG]:
+        return "only homes"
+    return "only jogs" if _moving(explorer) - explorer.trials.seen else ""
+
+
+def _moving(explorer: Explorer) -> set[int]:
+    """Return the source offsets of the statements that command motion."""
+    statements = explorer.program.structure.statements.items()
+    return {at for at, each in statements if any(use.row.topic == "move" for use in each.axes)}
 
 
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[float, object]], Counter[str]]:
@@ -205,23 +248,26 @@ def _others(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Setti
     table, number = channel
     others = {key: each for key, each in best.settings.items() if key != table}
     left = [each for each in entries(best.settings, table) if number_in(table, each) != number]
-    for rule in _rules(best.run) if table == "input" else _levels(explorer, channel, best.run):
+    is_counted = number in explorer.triggers
+    for rule in _rules(best.run, is_counted) if table == "input" else _levels(explorer, channel, best.run):
         made = sorted(
             [*left, *([{**keys_of(*channel), **rule}] if rule else [])], key=partial(number_in, table)
         )
         yield {**others, **({table: made} if made else {})}
 
 
-def _rules(run: Run) -> Iterator[Entry]:
+def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
     """Yield the simple rules of an input: never, always, a person, a sensor behind an output, marks, a position."""
     simple: tuple[Entry, ...] = (
         {},
         {**ON},
         {**ASKED},
-        {**ASKED, "for": PUSH},
         {**PULSES},
+        {**ASKED, "for": PUSH},
         {**ON, "for": PUSH},
     )
+    if is_counted:
+        yield {**COUNTED}
     yield from simple
     for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
         yield {"output": output, "delay": SOON}

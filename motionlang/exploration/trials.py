@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
 
-from motionlang.exploration.changes import Timeline, merged, tables_of
+from motionlang.exploration.changes import Channel, Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import Begun, Comparison, Readings, Seen, TrialRecorder
 from motionlang.exploration.roles import written_at
@@ -297,16 +297,25 @@ class Trials:
         self._note_work(recorder)
         return _trial((), 0.0, self.last, recorder, self.base)
 
-    def run_in(self, tables: Mapping[str, object], until: float | None = None) -> tuple[Run, set[int]]:
-        """Run the program with some tables of the machine file up to a time, and return what has begun, too.
+    def run_in(
+        self, tables: Mapping[str, object], until: float | None = None
+    ) -> tuple[Run, set[int], list[Channel]]:
+        """Run the program with some tables of the machine file up to a time.
 
-        Without a time the run ends where that of a machine file does.
+        Without a time the run ends where that of a machine file does. Returns also what has begun, and the channels
+        that were read, in the order in which they were read first.
         """
         self.count += 1
         recorder = TrialRecorder((), {}, inf, is_cut=self._is_cut)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
-        return result, {each for each in recorder.seen if isinstance(each, int)}
+        begun = {each for each in recorder.seen if isinstance(each, int)}
+        firsts = sorted(
+            (spans[0].first, channel)
+            for each in recorder.readings.values()
+            for channel, spans in each.items()
+        )
+        return result, begun, list(dict.fromkeys(channel for _, channel in firsts))
 
 
 # The shapes of profiles without an end of their own.

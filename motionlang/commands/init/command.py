@@ -20,7 +20,7 @@ from motionlang.commands.compare.options import mapped, recorded
 from motionlang.commands.explore.playing import playing, time_used
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
-from motionlang.commands.init.summary import fault, motionless, notes
+from motionlang.commands.init.summary import motionless, notes
 from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenario_text import inline
 from motionlang.commands.scenarios import scenario_folder
@@ -215,7 +215,9 @@ examples:
         structure = program.on(board).structure
         sentences = [] if measured is None else measured.sentences
         sys.stderr.writelines(f"note: {each}\n" for each in [*sentences, *notes(structure, found)])
-        return max(status, int(motionless(structure, found.run) or bool(fault(structure, found))))
+        return max(
+            status, int(motionless(structure, found.run) or bool(found.exploration.fault_of(found.run)))
+        )
 
     def _measured(self, program: Program, plain: Program, board: Mapping[str, object]) -> Measured:
         """Measure the world of a program, a debug build and a plain one, in its recording; raise Refused."""

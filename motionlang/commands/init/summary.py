@@ -35,21 +35,6 @@ def motionless(structure: Structure, result: Run) -> bool:
     )
 
 
-def fault(structure: Structure, draft: Draft) -> str:
-    """Return what is wrong with the cycle of a draft in words, "" if nothing is.
-
-    A cycle that only jogs is no piece if the program has moves that the exploration has not reached.
-    """
-    cycle = draft.world.cycle
-    played = draft.run.cycle
-    if cycle.work and played is not None and played.period < SHORTEST_MOVE:
-        return cycle.fault or "cuts off its moves at once"
-    only_jogs = bool(cycle.work) and not cycle.done and not cycle.said
-    if only_jogs and _move_lines(structure) & set(draft.exploration.missed):
-        return cycle.fault or "only jogs"
-    return cycle.fault
-
-
 def notes(structure: Structure, draft: Draft) -> list[str]:
     """Return one line for each thing that an engineer checks first."""
     result, exploration = draft.run, draft.exploration
@@ -70,7 +55,7 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     found += _unused(result)
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
-    if what := fault(structure, draft):
+    if what := exploration.fault_of(result):
         missed = f"; not reached: {_lines(exploration.missed)}" if exploration.missed else ""
         found.append(f"no good piece was found: the best cycle {what}{missed}")
     if motionless(structure, result):

@@ -143,8 +143,12 @@ class StepTask(Task):
         loop = list(
             zip(range(first, last + 1), steps[first : last + 1], steps.uses[first : last + 1], strict=True)
         )
-        # A test may read a copy of a value, such as that of a key in `k = INKEY`.
-        copies = [step.do for _, step, uses in loop if step.kind == DO and uses is not None and uses.sets]
+        # A test may read a copy of a value, such as that of a key in `k = INKEY`; what follows a wait takes its answer.
+        copies = [
+            step.do
+            for pc, step, uses in loop
+            if step.kind == DO and uses is not None and uses.sets and steps[pc - 1].kind != WAIT
+        ]
         tests = [
             step.do
             for pc, step, _ in loop
