@@ -42,8 +42,8 @@ SAID, WRONG = 2.0, 20.0
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
-    r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|broken|stuck|lost|empty|emergency|refus"
-    r"|\bnok\b|\btoo\b|\blate\b|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
+    r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|broken|stuck|lost|empty|emergency|refus|\bnok\b"
+    r"|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
     rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
@@ -52,7 +52,9 @@ _WRONG = re.compile(
 # What a program says when it stops, but for its start.
 STOPPED = re.compile("stopped", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
-_ALARM = re.compile(r"alarm|(?<!de)fault|error|fail|reject|scrap|\bbad\b|horn$|siren|buzzer", re.IGNORECASE)
+_ALARM = re.compile(
+    r"alarm|(?<!de)fault|error|fail|reject|scrap|\bbad\b|\bred\b|horn$|siren|buzzer", re.IGNORECASE
+)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.

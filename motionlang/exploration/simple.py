@@ -38,6 +38,8 @@ SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 100, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
+# A channel with more entries changes one by one.
+LISTED = 2
 # What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, a line that moves to a target, another motion, an output, a printed line, its
@@ -89,19 +91,26 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
             more = _tried(explorer, _with_others(first.settings, [number], ON), min(first.times, ENOUGH))
         if more.is_good and 2 * more.times >= first.times and more.value >= first.value + MORE:
             found, first = found._replace(settings=more.settings, run=more.run), more
+    channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
+    # What comes one by one is over soon.
+    often = Counter(
+        (table, number_in(table, each)) for table in TABLES for each in entries(first.settings, table)
+    )
+    if first.is_good and (listed := [each for each in channels if often[each] > LISTED]):
+        first = _climbed(explorer, listed, first, least)
+        if first.settings != found.settings:
+            found = found._replace(settings=first.settings, run=first.run)
     if first.is_good and first.share >= LITTLE:
         return found
     others = [
         each for each in likeliest if each.repeats and not (each.begun <= first.begun or wrong(each.said))
     ]
     worlds = [found, *(world_of(explorer, [each]) for each in others[:OTHERS])]
-    channels = _channels(explorer)
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
     starts = [(_with_others({**found.settings, "input": []}, inputs, rule), found) for rule in (ASKED, ON)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
-    least = max(min(first.times, ENOUGH), 1)
     tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
     best, world = max(tried, key=lambda each: each[0].value)
     if not best.is_good or best.share < LITTLE:
