@@ -28,7 +28,7 @@ from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import SHORTEST_MOVE, is_short_move, plain, without_figures
 from motionlang.exploration.values import is_probe
-from motionlang.exploration.world import ASKED, ON, PULSES, FoundWorld, world_of
+from motionlang.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
 
@@ -42,11 +42,13 @@ LITTLE, OTHERS, MORE = 0.4, 2, 1.0
 LISTED = 2
 # What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
 ENOUGH, HALF = 3, 0.5
-# What counts for a run: all statements, a line that moves to a target, another motion, an output, a printed line, its
-# end. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
-# entry of the machine file.
-WHOLE, MOVE, JOG, OUTPUT, SAID, ENDS = 4.0, 1.5, 0.5, 0.5, 2.0, 2.0
-WRONG, NEVER, NOTHING, ENTRY = 4.0, 3.0, 5.0, 0.01
+# What counts for a run: all statements, its end, a line that moves to a target, another motion, an output, a printed
+# line. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
+# entry of the machine file, less for a number or a key that comes whenever it is asked for.
+WHOLE, ENDS = 4.0, 2.0
+MOVE, JOG, OUTPUT, SAID = "move", "jog", "output", "said"
+WORTH = {MOVE: 1.5, JOG: 0.5, OUTPUT: 0.5, SAID: 2.0}
+WRONG, NEVER, NOTHING, ENTRY, ANSWERS = 4.0, 3.0, 5.0, 0.01, 0.5
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
 # A flow meter or a tachometer comes and goes so fast, s.
@@ -109,7 +111,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
-    starts = [(_with_others({**found.settings, "input": []}, inputs, rule), found) for rule in (ASKED, ON)]
+    known = {**found.settings, "input": []}
+    bases = [known, {**known, **_asked(known)}]
+    starts = [(_with_others(each, inputs, rule), found) for each in bases for rule in (ASKED, ON)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
     tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
     best, world = max(tried, key=lambda each: each[0].value)
@@ -138,6 +142,18 @@ def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Sett
     return {**settings, "input": [*entries(settings, "input"), *made]}
 
 
+def _asked(settings: Settings) -> Settings:
+    """Return the numbers and the keys of a world, each with its first value and whenever it is asked for."""
+    made: dict[str, list[Entry]] = {}
+    for table in WRITES:
+        firsts: dict[int, Entry] = {}
+        for each in entries(settings, table):
+            rest = {key: value for key, value in each.items() if key != "at"}
+            firsts.setdefault(number_in(table, each), {**rest, **ASKED})
+        made |= {table: [*firsts.values()]} if firsts else {}
+    return made
+
+
 def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int) -> Tried:
     """Return the simple world that is worth most: channels take the best of their rules until none is better.
 
@@ -155,7 +171,7 @@ def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least
                 if trials.work > begun + share * explorer.whole or trials.count > last:
                     return best
                 best = max(best, _tried(explorer, settings, least), key=lambda each: each.value)
-            if best.value > before:
+            if best.value > before + HALF:
                 break
         if best.value <= before and part.start:
             return best
@@ -179,20 +195,21 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     right, faults = _acts(explorer, run)
     has_ended = run.status == "ended"
     # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
-    done = min((right[worth, line] for worth, line in right if worth == MOVE), default=0)
+    done = min((count for (kind, _), count in right.items() if kind == MOVE), default=0)
     log = run.machine.log
     acts = (each.time for some in (log.prints, log.outputs) for each in some)
     last = max(chain(acts, (each.start_time for each in log.moves)), default=0.0)
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
     never = is_stuck and not run.has_run_out and done < ENOUGH
-    times = max((count for (worth, _), count in right.items() if worth in (MOVE, JOG)), default=0)
+    times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
     works = times >= (1 if has_ended else least) or not _moving(explorer)
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(explorer.program.structure.statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
-    value += fsum(worth * min(count / often, 1.0) for (worth, _), count in right.items())
+    value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
     value -= WRONG * fsum(min(count / often, 1.0) for count in faults.values())
-    value -= ENTRY * fsum(len(entries(settings, table)) for table in TABLES)
+    made = [(table, each) for table in TABLES for each in entries(settings, table)]
+    value -= ENTRY * fsum(ANSWERS if table in WRITES and "asked" in each else 1.0 for table, each in made)
     is_good = works and not (never or fault_of(explorer, run))
     return Tried(settings, run, frozenset(begun), read, times, share, round(value, 6), is_good)
 
@@ -203,18 +220,13 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     A run that only jogs does no work if the program has moves that no trial has made.
     """
     right, faults = _acts(explorer, run)
-    often = {
-        worth: max((right[each] for each in right if each[0] == worth), default=0)
-        for worth in (MOVE, JOG, SAID)
-    }
+    often = Counter[str]()
+    for (kind, _), count in right.items():
+        often[kind] = max(often[kind], count)
     if faults.total() > HALF * (often[SAID] or often[MOVE]):
-        texts = {
-            without_figures(text): text for text in (plain(each.text) for each in run.machine.log.prints)
-        }
-        said = [repr(texts[each]) for each in faults if each in texts]
-        return (
-            f"prints {', '.join(said)}" if said else f"switches on {next(iter(faults))}, an alarm by its name"
-        )
+        texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
+        said = ", ".join(repr(texts[each]) for each in faults if each in texts)
+        return f"prints {said}" if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
         return "cuts off its moves at once"
     if often[MOVE] or often[SAID] or not run.machine.log.moves:
@@ -230,9 +242,9 @@ def _moving(explorer: Explorer) -> set[int]:
     return {at for at, each in statements if any(use.row.topic == "move" for use in each.axes)}
 
 
-def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[float, object]], Counter[str]]:
-    """Return how often a run does each thing, with what that is worth, and how often it says what is wrong."""
-    right, faults, homes = Counter[tuple[float, object]](), Counter[str](), run.dialect.table().homes
+def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
+    """Return how often a run does each thing, and how often it says what is wrong."""
+    right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
             is_done = move.profile.duration < inf and not move.ended
