@@ -78,7 +78,7 @@ from motionlang.exploration.trials import (
 )
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
-from motionlang.exploration.world import FoundWorld, nowhere, world_of
+from motionlang.exploration.world import PLAYED, FoundWorld, nowhere, world_of
 from motionlang.identification import Entry
 from motionlang.kernel import Program, Run, Source, dialect_for, settings_next_to
 
@@ -152,7 +152,9 @@ class Exploration:
     search; `interrupted` is then the run that Ctrl-C ended.
     """
 
-    def __init__(self, explorer: Explorer, interrupted: Run | None = None) -> None:
+    def __init__(
+        self, explorer: Explorer, interrupted: Run | None = None, before: Exploration | None = None
+    ) -> None:
         self._explorer, self.interrupted = explorer, interrupted
         self.program = explorer.program
         self.nodes = list(explorer.nodes.values())
@@ -160,9 +162,14 @@ class Exploration:
         self.is_whole = not explorer.trials.is_over and interrupted is None
         statements = len(self.program.structure.statements)
         self.cycles = cycles(explorer.nodes, explorer.working, statements, explorer.alarms)
-        self.world = self.world_of(self.cycles) if interrupted is None else self._unplayed(interrupted)
         self.switches = explorer.switches
         self.channels = sorted(explorer.channels)
+        if interrupted is not None:
+            self.world = self._unplayed(interrupted)
+        elif before is not None and before._decides == self._decides:
+            self.world = before.world
+        else:
+            self.world = self.world_of(self.cycles)
         # The statements of the tasks beside the work: those that blink, regulate or watch.
         self.beside = explorer.beside
         # The axes that each line moves.
@@ -189,6 +196,11 @@ class Exploration:
                 if not (each.is_silent or each.select >= 0 or at in begun)
             }
         )
+
+    @property
+    def _decides(self) -> object:
+        """What its world depends on: the cycles that are played, and the channels."""
+        return self.cycles[:PLAYED], self.channels
 
     def cut_off(self) -> dict[Change, set[int]]:
         """Return the changes in the middle of a move that cut off moves, with the lines of these moves.
@@ -317,9 +329,9 @@ def explore(
         found, left = Exploration(explorer), FURTHER
         while left and used() < SEARCH and goes_further(explorer, found.world):
             explorer.explore(BEHIND * work)
-            found, left = Exploration(explorer), left - 1
+            found, left = Exploration(explorer, before=found), left - 1
         if left and explorer.explore(left * BEHIND * work):
-            found = Exploration(explorer)
+            found = Exploration(explorer, before=found)
         if used() < SEARCH:
             found.world = better_world(explorer, found.world, found.cycles)
     except Interrupted as at:

@@ -113,7 +113,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
     known = {**found.settings, "input": []}
     bases = [known, {**known, **_asked(known)}]
-    starts = [(_with_others(each, inputs, rule), found) for each in bases for rule in (ASKED, ON)]
+    starts = [(_with_others(each, inputs, rule), found) for each in bases for rule in (ASKED, ON, PULSES)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
     tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
     best, world = max(tried, key=lambda each: each[0].value)
