@@ -13,8 +13,8 @@ steps: a decision needs what it reads; an assignment needs what it reads only if
     If good = 1 Then …
 
 Calls and returns are linked without their context, so a variable may be needed on a path that no call takes. A variable
-that counts, as `n = n + 1` does, or takes a number of the world, as `n = COMMS(2)` does, is left out, since each value
-would be a new state, and so is a copy of a level.
+that counts, as `n = n + 1` does, is left out, since each value would be a new state, and so is a copy of a level. Of
+one that takes a number of the world, as `n = COMMS(2)` does, only counts if it has: a menu remembers an answer.
 
 Invariants. The numbers of variables are those of `Uses`, and so of the list of shared variables of any run of the
 program. Variables of a call are part of the analysis and of no result; of the registers that each task of MCCL has,
@@ -47,7 +47,7 @@ class Memory:
         self._structure = structure
         self._bits: dict[tuple[str, int], int] = {}
         needed = self._needed()
-        given, measured = self._given()
+        given, measured = self._given(needed[0] if needed else 0)
         counting = self._counting() | measured
         self._at: defaultdict[int, int] = defaultdict(int)
         for p, point in enumerate(self._graph.points):
@@ -82,9 +82,13 @@ class Memory:
             found |= bits
         return sorted(n for bit, n in self._shared.items() if bit & found)
 
-    def _given(self) -> tuple[int, int]:
-        """Return the bits of the variables that take a number, a key or an answer, and those with a level or a copy."""
-        found = 0
+    def _given(self, at_start: int) -> tuple[int, int]:
+        """Return the bits of the variables that may not have taken a number, a key or an answer, and of all others.
+
+        Others have always taken one before they decide, or take a level or a copy of one. `at_start` are those that the
+        program needs before its first statement.
+        """
+        found = unset = 0
         measured: set[int] = set()
         # What is set from which shared variables alone.
         copies: list[tuple[set[int], frozenset[int]]] = []
@@ -96,8 +100,10 @@ class Memory:
                     measured |= use.sets
                 else:
                     found |= self._mask(p, use.sets)
-            elif use is not None and use.reads and min((*use.reads, *use.sets)) >= 0:
-                copies.append((set(use.reads), use.sets))
+            elif use is not None:
+                unset |= self._mask(p, use.sets)
+                if use.reads and min((*use.reads, *use.sets)) >= 0:
+                    copies.append((set(use.reads), use.sets))
         readers: defaultdict[int, list[int]] = defaultdict(list)
         for k, (reads, _) in enumerate(copies):
             for n in reads:
@@ -111,7 +117,8 @@ class Memory:
                 if not reads:
                     waiting += sets - measured
                     measured |= sets
-        return found, self._mask(0, [n for n in measured if n >= 0])
+        unset = found & (unset | at_start)
+        return unset, found & ~unset | self._mask(0, [n for n in measured if n >= 0])
 
     def _counting(self) -> int:
         """Return the bits of the variables that are set to a sum with themselves, at once or through another one."""

@@ -15,6 +15,7 @@ Cost. A share of the work of the exploration, and one run where the world that w
 
 from __future__ import annotations
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
@@ -34,12 +35,14 @@ from motionlang.kernel import Run
 
 # So much of the work of an exploration simple worlds may take, less where a good one was found, in so many runs of this
 # length, s.
-SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 100, 60.0
+SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 80, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
-# A channel with more entries changes one by one.
-LISTED = 2
+# A channel with more entries changes one by one. From so many worlds other ones are looked for.
+LISTED, STARTS = 2, 3
+# A text in a program.
+_TEXT = re.compile('"([^"]*[A-Za-z][^"]*)"')
 # What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, its end, a line that moves to a target, another motion, an output, a printed
@@ -99,7 +102,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         (table, number_in(table, each)) for table in TABLES for each in entries(first.settings, table)
     )
     if first.is_good and (listed := [each for each in channels if often[each] > LISTED]):
-        first = _climbed(explorer, listed, first, least)
+        first = _climbed(explorer, listed, first, least, inf)
         if first.settings != found.settings:
             found = found._replace(settings=first.settings, run=first.run)
     if first.is_good and first.share >= LITTLE:
@@ -117,10 +120,13 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
     tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
     best, world = max(tried, key=lambda each: each[0].value)
-    if not best.is_good or best.share < LITTLE:
-        # Where less answers the program waits sooner.
-        start, other = max(reversed(tried), key=lambda each: each[0].share)
-        climbed = _climbed(explorer, channels, start, least)
+    # Where less answers the program waits sooner.
+    starting = {each[0].begun: each for each in tried}.values()
+    most = explorer.trials.work + SHARE * explorer.whole
+    for start, other in sorted(starting, key=lambda each: -each[0].share)[:STARTS]:
+        if best.is_good and best.share >= LITTLE:
+            break
+        climbed = _climbed(explorer, channels, start, least, most)
         if climbed.value > best.value:
             best, world = climbed, other
     if not best.is_good or best.value < first.value + MORE:
@@ -154,21 +160,20 @@ def _asked(settings: Settings) -> Settings:
     return made
 
 
-def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int) -> Tried:
+def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int, most: float) -> Tried:
     """Return the simple world that is worth most: channels take the best of their rules until none is better.
 
     What the run has read for the first time last comes first, since it may be what stops it; then what starts a
     handler. The first rules of all channels come before the others.
     """
     trials = explorer.trials
-    begun, last = trials.work, trials.count + TRIES
+    last, enough = trials.count + TRIES, trials.work + GOOD * explorer.whole
     part, before = slice(FIRST), best.value
     while True:
         read = [*reversed(best.read), *(("input", each) for each in sorted(explorer.triggers))]
         for channel in (each for each in dict.fromkeys(read) if each in channels):
             for settings in [*_others(explorer, channel, best)][part]:
-                share = GOOD if best.is_good else SHARE
-                if trials.work > begun + share * explorer.whole or trials.count > last:
+                if trials.work > (min(enough, most) if best.is_good else most) or trials.count > last:
                     return best
                 best = max(best, _tried(explorer, settings, least), key=lambda each: each.value)
             if best.value > before + HALF:
@@ -217,7 +222,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
 def fault_of(explorer: Explorer, run: Run) -> str:
     """Return what is wrong with the work of a run in words, "" if nothing is.
 
-    A run that only jogs does no work if the program has moves that no trial has made.
+    A run that prints nothing, or only jogs, does no work if the program has texts, or moves, that no trial has reached.
     """
     right, faults = _acts(explorer, run)
     often = Counter[str]()
@@ -229,11 +234,18 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         return f"prints {said}" if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
         return "cuts off its moves at once"
-    if often[MOVE] or often[SAID] or not run.machine.log.moves:
+    statements = explorer.program.structure.statements.items()
+    missed = [each for at, each in statements if not each.waits and at not in explorer.trials.seen]
+    if often[SAID] or not run.machine.log.moves:
+        return ""
+    unsaid = (text for each in missed for text in _TEXT.findall(each.text))
+    if run.status != "ended" and not all(map(is_wrong, unsaid)):
+        return "prints nothing"
+    if often[MOVE]:
         return ""
     if not often[JOG]:
         return "only homes"
-    return "only jogs" if _moving(explorer) - explorer.trials.seen else ""
+    return "only jogs" if any(use.row.topic == "move" for each in missed for use in each.axes) else ""
 
 
 def _moving(explorer: Explorer) -> set[int]:

@@ -6,7 +6,6 @@
     follows an output          each of its changes comes after one of the output; inverted, too
     when asked                 a person, a host or an unknown sensor answers as soon as the program asks
     follows it as measured     the delays of on and off differ, or it is on for some time after a change of the output
-    on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
 
 At first all of them answer when they are asked, or at their times if the cycle does not repeat so. Keys and numbers of
@@ -21,7 +20,6 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
 
@@ -30,13 +28,12 @@ from motionlang.exploration.changes import AT_REST, Change, entries, is_about, n
 from motionlang.exploration.cycles import MachineCycle, wrong
 from motionlang.exploration.playing import COMPARED, TIMES, count, faults, played, quality
 from motionlang.exploration.recorder import HANDLERS
-from motionlang.exploration.rests import Rest
 from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Visit
 from motionlang.exploration.trials import Trial, is_short_move, without_figures
 from motionlang.exploration.values import first_write
-from motionlang.identification import Digital, Entry, Observation, channels, rules_of
+from motionlang.identification import Entry, Observation, channels, rules_of
 from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched
 
@@ -180,7 +177,6 @@ class _Description:
         self._axes = explorer.trials.run_in(tables_of(trial.timeline), trial.time)[0].controller.axes
         self._along, self._beyond = along(trial, self._axes), beyond(trial, self._axes)
         self._outputs = channels((each.channel, each.time, each.value) for each in trial.outputs)
-        self._blinking = _blinking(self._outputs, trial, explorer.rests(trial))
         others = tuple(each for each in trial.timeline if each[1].table != "input")
         self._settings: Settings = tables_of(others)
         for number, changes in self._flips.items():
@@ -193,10 +189,8 @@ class _Description:
         # What is on too early for one input may be in time when another one is on, too.
         for _ in range(PASSES):
             self._describe_inputs()
-        self._describe_as_pulses()
         self._describe_writes()
         self._describe_others()
-        self._take(self._released())
         settings = dict(self._settings)
         inputs = settings.pop("input", [])
         settings |= {"input": inputs} if inputs else {}
@@ -306,13 +300,6 @@ class _Description:
         tried = [asked, {**asked, **self._beyond}]
         self._take({**self._with([*each.values()], *each), **others} for each in tried)
 
-    def _describe_as_pulses(self) -> None:
-        """Let all inputs without a rule come and go: the times of one fit those of the others."""
-        often = Counter(number_in("input", each) for each in entries(self._settings, "input") if "at" in each)
-        left = [number for number, times in often.items() if times > 1]
-        if left:
-            self._take([self._with([{"channel": number, **PULSES} for number in left], *left)])
-
     def _rules(self, first: Entry, changes: Levels, *, is_pulse: bool = False) -> Iterator[Sequence[Entry]]:
         """Yield the rules that may explain the changes of a channel, the simplest first.
 
@@ -337,7 +324,7 @@ class _Description:
                     yield [{**each, **base} for each in rule.entries]
 
     def _following(self, changes: Levels, *, is_pulse: bool) -> list[Entry]:
-        """Return the keys by which changes follow an output, at any delay; outputs that blink are last.
+        """Return the keys by which changes follow an output, at any delay.
 
         Changes that were made together with another one may have come before the output that they follow.
         """
@@ -350,32 +337,12 @@ class _Description:
             if "output" in (entry := rule.entries[0]) and ("for" in entry) == is_pulse
         ]
 
-        def order(each: Entry) -> tuple[bool, float, int, bool]:
+        def order(each: Entry) -> tuple[float, int, bool]:
             output: int = each["output"]  # type: ignore[assignment]
             leads = [time - self._outputs[output].last(time + DELAY).time for time, _ in changes]
-            return output in self._blinking, fsum(leads), output, "value" in each
+            return fsum(leads), output, "value" in each
 
         return sorted(found, key=order)
-
-    def _released(self) -> Iterator[Settings]:
-        """Yield rules with which the run does not end in a wait for an input that is always on to be off.
-
-        It follows the output that was switched last.
-        """
-        result = self._explorer.trials.run_in(self._settings, WHOLE)[0]
-        scheduler = result.machine.scheduler
-        waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
-        stuck = {
-            number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what
-        }
-        latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
-        inputs = entries(self._settings, "input")
-        on = [number for number in sorted(stuck) if {"channel": number, **ON} in inputs]
-        for number, output, inverted in product(on, latest, ({}, {"value": 0})):
-            entry: Entry = {"channel": number, "output": output, "delay": DELAY, **inverted}
-            tried = self._with([entry], number)
-            if self._explorer.trials.run_in(tried, WHOLE)[0].status != "fault":
-                yield tried
 
 
 def _end_of(cycle: MachineCycle, trial: Trial) -> float:
@@ -421,13 +388,3 @@ def _same(wanted: Acts, found: Acts) -> bool:
         if others[:least] != acts[:least]:
             return False
     return True
-
-
-def _blinking(outputs: Mapping[int, Digital], trial: Trial, found: list[Rest]) -> set[int]:
-    """Return the outputs that change more than once while the program is at rest."""
-    stays = [(rest.begin + MOMENT, min(rest.end, trial.time) - MOMENT) for rest in found]
-    return {
-        output
-        for output, channel in outputs.items()
-        if any(sum(begin < each.time < end for each in channel.changes) > 1 for begin, end in stays)
-    }
