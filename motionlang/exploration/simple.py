@@ -47,11 +47,11 @@ _TEXT = re.compile('"([^"]*[A-Za-z][^"]*)"')
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, its end, a line that moves to a target, another motion, an output, a printed
 # line. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
-# entry of the machine file, less for a number or a key that comes whenever it is asked for.
+# entry of the machine file, less for a number or a key that comes whenever it is asked for, more for what pulses.
 WHOLE, ENDS = 4.0, 2.0
 MOVE, JOG, OUTPUT, SAID = "move", "jog", "output", "said"
 WORTH = {MOVE: 1.5, JOG: 0.5, OUTPUT: 0.5, SAID: 2.0}
-WRONG, NEVER, NOTHING, ENTRY, ANSWERS = 4.0, 3.0, 5.0, 0.01, 0.5
+WRONG, NEVER, NOTHING, ENTRY, ANSWERS, PULSED = 4.0, 3.0, 5.0, 0.01, 0.5, 1.5
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
 # A flow meter or a tachometer comes and goes so fast, s.
@@ -214,9 +214,16 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
     value -= WRONG * fsum(min(count / often, 1.0) for count in faults.values())
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
-    value -= ENTRY * fsum(ANSWERS if table in WRITES and "asked" in each else 1.0 for table, each in made)
+    value -= ENTRY * fsum(_cost(*each) for each in made)
     is_good = works and not (never or fault_of(explorer, run))
     return Tried(settings, run, frozenset(begun), read, times, share, round(value, 6), is_good)
+
+
+def _cost(table: str, entry: Entry) -> float:
+    """Return what an entry costs: a number that answers, less, and what comes and goes for no reason, more."""
+    if table in WRITES and "asked" in entry:
+        return ANSWERS
+    return PULSED if "every" in entry and "axis" not in entry else 1.0
 
 
 def fault_of(explorer: Explorer, run: Run) -> str:

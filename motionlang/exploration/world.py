@@ -6,6 +6,7 @@
     follows an output          each of its changes comes after one of the output; inverted, too
     when asked                 a person, a host or an unknown sensor answers as soon as the program asks
     follows it as measured     the delays of on and off differ, or it is on for some time after a change of the output
+    on and off all the time    the program waits for the level that it needs
     its changes one by one     for anything else
 
 At first all of them answer when they are asked, or at their times if the cycle does not repeat so. Keys and numbers of
@@ -20,6 +21,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
 
@@ -189,8 +191,10 @@ class _Description:
         # What is on too early for one input may be in time when another one is on, too.
         for _ in range(PASSES):
             self._describe_inputs()
+        self._describe_as_pulses()
         self._describe_writes()
         self._describe_others()
+        self._take(self._released())
         settings = dict(self._settings)
         inputs = settings.pop("input", [])
         settings |= {"input": inputs} if inputs else {}
@@ -300,6 +304,13 @@ class _Description:
         tried = [asked, {**asked, **self._beyond}]
         self._take({**self._with([*each.values()], *each), **others} for each in tried)
 
+    def _describe_as_pulses(self) -> None:
+        """Let all inputs without a rule come and go: the times of one fit those of the others."""
+        often = Counter(number_in("input", each) for each in entries(self._settings, "input") if "at" in each)
+        left = [number for number, times in often.items() if times > 1]
+        if left:
+            self._take([self._with([{"channel": number, **PULSES} for number in left], *left)])
+
     def _rules(self, first: Entry, changes: Levels, *, is_pulse: bool = False) -> Iterator[Sequence[Entry]]:
         """Yield the rules that may explain the changes of a channel, the simplest first.
 
@@ -343,6 +354,26 @@ class _Description:
             return fsum(leads), output, "value" in each
 
         return sorted(found, key=order)
+
+    def _released(self) -> Iterator[Settings]:
+        """Yield rules with which the run does not end in a wait for an input that is always on to be off.
+
+        It follows the output that was switched last.
+        """
+        result = self._explorer.trials.run_in(self._settings, WHOLE)[0]
+        scheduler = result.machine.scheduler
+        waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+        stuck = {
+            number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what
+        }
+        latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
+        inputs = entries(self._settings, "input")
+        on = [number for number in sorted(stuck) if {"channel": number, **ON} in inputs]
+        for number, output, inverted in product(on, latest, ({}, {"value": 0})):
+            entry: Entry = {"channel": number, "output": output, "delay": DELAY, **inverted}
+            tried = self._with([entry], number)
+            if self._explorer.trials.run_in(tried, WHOLE)[0].status != "fault":
+                yield tried
 
 
 def _end_of(cycle: MachineCycle, trial: Trial) -> float:

@@ -70,7 +70,7 @@ def read(path: Path) -> None:
     ("seeds", "rows"),
     [
         pytest.param(range(30), 100, id="30"),
-        pytest.param(range(100, 2100), 400, id="2000", marks=pytest.mark.slow),
+        pytest.param(range(100, 900), 400, id="800", marks=pytest.mark.slow),
     ],
 )
 @pytest.mark.filterwarnings("error")
