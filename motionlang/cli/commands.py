@@ -35,10 +35,6 @@ GROUPS = {
             "find the errors and warnings of programs without running them",
         ),
         "map": ("commands.map.command:Map", "show what a program does: channels, axes, structure, states"),
-        "explore": (
-            "commands.explore.command:Explore",
-            "play a program and show its states, transitions and cycles",
-        ),
         "plan": (
             "commands.plan.command:PlanCommand",
             "work out the figures of a move and write a program for it",

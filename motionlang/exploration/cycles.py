@@ -46,7 +46,7 @@ _NAMED = (
     r"|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
-    rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|\bnot?\b(?!\W*(?:\d|{_NAMED}))",
+    rf"(?<!\b0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))|(?:\bnot?|n't)\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
 )
 # What a program says when it stops, but for its start.

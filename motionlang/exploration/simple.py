@@ -105,7 +105,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         first = _climbed(explorer, listed, first, least, inf)
         if first.settings != found.settings:
             found = found._replace(settings=first.settings, run=first.run)
-    if first.is_good and first.share >= LITTLE:
+    if _is_enough(explorer, first):
         return found
     others = [
         each for each in likeliest if each.repeats and not (each.begun <= first.begun or wrong(each.said))
@@ -122,9 +122,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     best, world = max(tried, key=lambda each: each[0].value)
     # Where less answers the program waits sooner.
     starting = {each[0].begun: each for each in tried}.values()
-    most = explorer.trials.work + SHARE * explorer.whole
-    for start, other in sorted(starting, key=lambda each: -each[0].share)[:STARTS]:
-        if best.is_good and best.share >= LITTLE:
+    most = explorer.trials.work + (GOOD if first.is_good else SHARE) * explorer.whole
+    for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
+        if _is_enough(explorer, best):
             break
         climbed = _climbed(explorer, channels, start, least, most)
         if climbed.value > best.value:
@@ -235,24 +235,35 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     often = Counter[str]()
     for (kind, _), count in right.items():
         often[kind] = max(often[kind], count)
-    if faults.total() > HALF * (often[SAID] or often[MOVE]):
-        texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
-        said = ", ".join(repr(texts[each]) for each in faults if each in texts)
-        return f"prints {said}" if said else f"switches on {next(iter(faults))}, an alarm by its name"
+    texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
+    said = [repr(text) for each, text in texts.items() if each in faults]
+    if faults.total() > HALF * (often[SAID] or (0 if said else often[MOVE])):
+        words = f"prints {', '.join(said)}"
+        return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
         return "cuts off its moves at once"
-    statements = explorer.program.structure.statements.items()
-    missed = [each for at, each in statements if not each.waits and at not in explorer.trials.seen]
     if often[SAID] or not run.machine.log.moves:
         return ""
-    unsaid = (text for each in missed for text in _TEXT.findall(each.text))
-    if run.status != "ended" and not all(map(is_wrong, unsaid)):
+    is_silent, is_still = _missed(explorer)
+    if is_silent and run.status != "ended":
         return "prints nothing"
     if often[MOVE]:
         return ""
-    if not often[JOG]:
-        return "only homes"
-    return "only jogs" if any(use.row.topic == "move" for each in missed for use in each.axes) else ""
+    return "only jogs" if is_still and often[JOG] else "" if often[JOG] else "only homes"
+
+
+def _missed(explorer: Explorer) -> tuple[bool, bool]:
+    """True if no trial has reached some text that says nothing wrong, and some motion."""
+    statements = explorer.program.structure.statements.items()
+    missed = [each for at, each in statements if not each.waits and at not in explorer.trials.seen]
+    texts = (text for each in missed for text in _TEXT.findall(each.text))
+    moves = (use.row.topic == "move" for each in missed for use in each.axes)
+    return not all(map(is_wrong, texts)), any(moves)
+
+
+def _is_enough(explorer: Explorer, best: Tried) -> bool:
+    """True if a world does much good work, and no work is left that no trial has reached."""
+    return best.is_good and best.share >= LITTLE and not any(_missed(explorer))
 
 
 def _moving(explorer: Explorer) -> set[int]:

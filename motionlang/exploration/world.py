@@ -30,11 +30,9 @@ from motionlang.exploration.changes import AT_REST, Change, entries, is_about, n
 from motionlang.exploration.cycles import MachineCycle, wrong
 from motionlang.exploration.playing import COMPARED, TIMES, count, faults, played, quality
 from motionlang.exploration.recorder import HANDLERS
-from motionlang.exploration.roles import written
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Visit
 from motionlang.exploration.trials import Trial, is_short_move, without_figures
-from motionlang.exploration.values import first_write
 from motionlang.identification import Entry, Observation, channels, rules_of
 from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched
@@ -217,17 +215,12 @@ class _Description:
             self._take({**self._settings, change.table: [*rest, *each]} for each in tried)
 
     def _describe_others(self) -> None:
-        """Let other inputs be on where that makes no difference, and write other numbers."""
+        """Let other inputs be on where that makes no difference."""
         others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
         for number in sorted(others) if self._cycle.repeats else ():
             settings = self._with([{"channel": number, **ON}], number)
             if self._explorer.trials.work < self._most and self._does_no_more(settings):
                 self._settings = settings
-        changed = {each.channel for _, each in self._trial.timeline} | written(self._explorer.program)
-        for table, number in self._explorer.read:
-            if table in NUMBERS and (table, number) not in changed:
-                write = entries(tables_of(((0.0, first_write((table, number))),)), table)
-                self._take([{**self._settings, table: [*write, *entries(self._settings, table)]}])
 
     def _with(self, made: Sequence[Entry], *numbers: int) -> Settings:
         """Return the settings with other entries for some inputs."""

@@ -26,7 +26,6 @@ COMMANDS = {
     "cover": "cover a.mnt",
     "map": "map a.mnt",
     "diff": "diff a.mnt b.mnt",
-    "explore": "explore b.mnt",
     "help": "help HOMESPEED",
     "improve": "improve c.mnt",
     "plan": "plan --distance 20 --time 0.6 --rule third",

@@ -25,7 +25,6 @@ LINES: dict[str, str] = {
     "plan": "--distance 20 --time 0.6 --rule third",
     "help": "SPEED",
     "map": "a.mnt",
-    "explore": "a.mnt",
     "pvt plot": "--scurve 1000 --time 100",
     "pvt refine": "--positions=0,200,900,500 --time 20",
     "pvt export": "--scurve 1000 --time 100",

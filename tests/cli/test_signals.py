@@ -142,9 +142,7 @@ COMPUTES = (
 )
 
 
-@pytest.mark.parametrize(
-    "command", ["map", "explore", "init", "cover", "cover --fail-under 50", "cover --suggest"]
-)
+@pytest.mark.parametrize("command", ["map", "init", "cover", "cover --fail-under 50", "cover --suggest"])
 def test_a_signal_ends_what_plays_a_program(
     command: str, cell: Cell, monkeypatch: pytest.MonkeyPatch
 ) -> None:

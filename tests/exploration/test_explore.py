@@ -10,10 +10,8 @@ from pathlib import Path
 
 import pytest
 
-import motionlang
 from motionlang.exploration import Interrupted, explore
 from motionlang.kernel import Source, dialect_of, run
-from tests.cli.programs import Cell
 
 MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_of(path.name) is not None)
 
@@ -44,19 +42,6 @@ def test_the_states_of_a_machine(path: Path, golden: Callable[[Path, str], None]
 def test_the_states_of_slow_machines(part: int, golden: Callable[[Path, str], None]) -> None:
     for path in [each for each in MACHINES if each.stem in SLOW][part::PARTS]:
         compare(path, golden)
-
-
-def test_the_command_prints_the_text_of_the_exploration(cell: Cell) -> None:
-    path = cell.write("hood.mnt", (Path(__file__).parent / "hood.mnt").read_bytes())
-    cell.write("hood.machine.toml", "[axis.0]\ntravel = [-1e6, 1e6]\n[[input]]\nchannel = 1\nat = 1\n")
-    ran = cell("explore", str(path))
-    assert (ran.status, ran.err) == (0, "")
-    assert ran.out == str(motionlang.explore(path))
-    cell.write("wrong.mnt", "PRINT )\n")
-    ran = cell("explore", "wrong.mnt")
-    assert (ran.status, ran.out) == (1, "")
-    assert "wrong.mnt:1:7" in ran.err
-    assert cell("explore", "hood.mnt", "--set", "nothing=1").status == 1
 
 
 def test_an_exploration_ends_when_its_work_is_done() -> None:

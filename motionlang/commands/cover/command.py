@@ -21,7 +21,7 @@ from motionlang.commands.cover import Coverage, covered, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.cover.worlds import CutOff, Event, Worlds
-from motionlang.commands.explore.playing import playing, time_used
+from motionlang.commands.playing import playing, time_used
 from motionlang.commands.scenario_text import write_scenario
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of

@@ -1,6 +1,6 @@
 """Scenarios for what no run of a program has reached, for `motionlang cover --suggest`.
 
-An exploration of the program (`commands/explore`) has the states in which it waits, and the transitions between them.
+An exploration of the program (`exploration`) has the states in which it waits, and the transitions between them.
 Each transition that leads further than the runs so far becomes a world on top of the program's own: the changes that
 lead there, and its causes. So do the cycle of the program, and what other keys and answers lead to.
 """

@@ -37,7 +37,7 @@ from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_page import ways_page
 from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
-from motionlang.commands.explore.playing import explored_program, playing
+from motionlang.commands.playing import explored_program, playing
 from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope

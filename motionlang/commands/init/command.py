@@ -17,10 +17,10 @@ from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import mapped, recorded
-from motionlang.commands.explore.playing import playing, time_used
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
 from motionlang.commands.init.summary import motionless, notes
+from motionlang.commands.playing import playing, time_used
 from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenario_text import inline
 from motionlang.commands.scenarios import scenario_folder

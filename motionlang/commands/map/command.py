@@ -12,10 +12,10 @@ from motionlang.cli.option_groups import OutputOptions, ProgramOptions
 from motionlang.cli.parser import either
 from motionlang.cli.readers import whole
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.explore.playing import playing
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
 from motionlang.commands.map.view.text import line_text, render, unit_text
+from motionlang.commands.playing import playing
 from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest

@@ -1,1 +1,0 @@
-"""`motionlang explore`: the states and transitions of the machine of a program."""
