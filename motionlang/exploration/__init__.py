@@ -59,7 +59,15 @@ from motionlang.exploration.changes import (
 from motionlang.exploration.cycles import MachineCycle, alarms_in, cycles, is_wrong
 from motionlang.exploration.further import goes_further
 from motionlang.exploration.playing import played
-from motionlang.exploration.rests import SHORTEST_REST, Rest, RestState, TaskRest, without_memory
+from motionlang.exploration.rests import (
+    SHORTEST_REST,
+    Rest,
+    RestState,
+    TaskRest,
+    lines_of,
+    statements_of,
+    without_memory,
+)
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.simple import LENGTH, better_world, fault_of, neighbours
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
@@ -77,7 +85,6 @@ from motionlang.exploration.trials import (
     without_figures,
 )
 from motionlang.exploration.values import is_probe
-from motionlang.exploration.view import causes_of, exploration_text, lines_of, statements_of
 from motionlang.exploration.world import PLAYED, FoundWorld, nowhere, world_of
 from motionlang.identification import Entry
 from motionlang.kernel import Program, Run, Source, dialect_for, settings_next_to
@@ -110,7 +117,6 @@ __all__ = [
     "Visit",
     "alarms_in",
     "asks",
-    "causes_of",
     "described",
     "entries",
     "explore",
@@ -174,11 +180,6 @@ class Exploration:
         self.beside = explorer.beside
         # The axes that each line moves.
         self.axes = explorer.axes
-
-    def __str__(self) -> str:
-        return exploration_text(
-            self.program, self.nodes, self.trials, self.cycles, None if self.interrupted else self.world
-        )
 
     @property
     def begun(self) -> frozenset[int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import accumulate, chain, pairwise
 from math import inf
@@ -15,7 +15,9 @@ from motionlang.exploration.changes import Channel
 from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import HANDLERS, Begun
 from motionlang.exploration.trials import Trial, TrialMotion
+from motionlang.kernel.lang import Structure
 from motionlang.kernel.log import Waited
+from motionlang.kernel.tools import ranges
 
 # What begins so soon after another statement of a loop belongs to it, s.
 BODY = 0.1
@@ -70,6 +72,24 @@ class _Stay(NamedTuple):
     end: float
     place: TaskRest
     question: str | None = None
+
+
+def lines_of(state: RestState | None, line: Callable[[int], int]) -> str:
+    """Return the lines of a state, with those of the calls that lead there; `line` is that of a source offset."""
+    if state is None:
+        return "power-up"
+    return " and ".join(_place(each, line) for each in state)
+
+
+def _place(place: TaskRest, line: Callable[[int], int]) -> str:
+    lines = ranges(line(at) for at in place.statements)
+    calls = ", ".join(str(line(at)) for at in place.callers)
+    return f"{lines} called in {calls}" if calls else lines
+
+
+def statements_of(state: RestState, structure: Structure) -> str:
+    """Return the first statement of each place of a state."""
+    return " | ".join(structure.statements[min(place.statements)].text for place in state)
 
 
 def rests(

@@ -98,14 +98,12 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
             found, first = found._replace(settings=more.settings, run=more.run), more
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
     # What comes one by one is over soon.
-    often = Counter(
-        (table, number_in(table, each)) for table in TABLES for each in entries(first.settings, table)
-    )
+    often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
     if first.is_good and (listed := [each for each in channels if often[each] > LISTED]):
         first = _climbed(explorer, listed, first, least, inf)
         if first.settings != found.settings:
             found = found._replace(settings=first.settings, run=first.run)
-    if _is_enough(explorer, first):
+    if first.is_good and first.share >= LITTLE:
         return found
     others = [
         each for each in likeliest if each.repeats and not (each.begun <= first.begun or wrong(each.said))
@@ -122,9 +120,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     best, world = max(tried, key=lambda each: each[0].value)
     # Where less answers the program waits sooner.
     starting = {each[0].begun: each for each in tried}.values()
-    most = explorer.trials.work + (GOOD if first.is_good else SHARE) * explorer.whole
+    most = explorer.trials.work + SHARE * explorer.whole
     for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
-        if _is_enough(explorer, best):
+        if best.is_good and best.share >= LITTLE:
             break
         climbed = _climbed(explorer, channels, start, least, most)
         if climbed.value > best.value:
@@ -207,7 +205,9 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
     never = is_stuck and not run.has_run_out and done < ENOUGH
     times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
-    works = times >= (1 if has_ended else least) or not _moving(explorer)
+    # What starts moves without time for them was ended early.
+    is_over = run.status == "until" and run.time < LENGTH
+    works = (times >= (1 if has_ended else least) and not is_over) or not _moving(explorer)
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(explorer.program.structure.statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
@@ -259,11 +259,6 @@ def _missed(explorer: Explorer) -> tuple[bool, bool]:
     texts = (text for each in missed for text in _TEXT.findall(each.text))
     moves = (use.row.topic == "move" for each in missed for use in each.axes)
     return not all(map(is_wrong, texts)), any(moves)
-
-
-def _is_enough(explorer: Explorer, best: Tried) -> bool:
-    """True if a world does much good work, and no work is left that no trial has reached."""
-    return best.is_good and best.share >= LITTLE and not any(_missed(explorer))
 
 
 def _moving(explorer: Explorer) -> set[int]:

@@ -12,6 +12,7 @@ import pytest
 
 from motionlang.exploration import Interrupted, explore
 from motionlang.kernel import Source, dialect_of, run
+from tests.exploration.text import exploration_text
 
 MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_of(path.name) is not None)
 
@@ -27,7 +28,7 @@ def compare(path: Path, golden: Callable[[Path, str], None]) -> None:
     language = dialect_of(path.name)
     assert language is not None
     program = language.program(Source.read(path), is_debug=True)
-    golden(path.with_suffix(".txt"), str(explore(program)))
+    golden(path.with_suffix(".txt"), exploration_text(explore(program)))
 
 
 @pytest.mark.parametrize(

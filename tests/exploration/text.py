@@ -3,41 +3,29 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 
-from motionlang.exploration.changes import in_words
-from motionlang.exploration.cycles import MachineCycle
-from motionlang.exploration.rests import RestState, TaskRest
-from motionlang.exploration.states import StateNode, Transition
-from motionlang.exploration.world import FoundWorld
-from motionlang.kernel import Program
+from motionlang.exploration import Exploration, FoundWorld, MachineCycle, StateNode, Transition, in_words
+from motionlang.exploration.rests import lines_of, statements_of
 from motionlang.kernel.lang import Structure
-from motionlang.kernel.tools import count_of, ranges
+from motionlang.kernel.tools import count_of
 
 # So many cycles are shown, and so many acts of a transition.
 MAX_CYCLES, MAX_ACTS = 3, 8
 
 
-def exploration_text(
-    program: Program,
-    nodes: Sequence[StateNode],
-    trials: int,
-    cycles: Sequence[MachineCycle],
-    world: FoundWorld | None,
-) -> str:
-    """Return the states of a program with their transitions, its likeliest cycles and a world, None if cut off."""
-    structure = program.structure
+def exploration_text(found: Exploration) -> str:
+    """Return the states of a program with their transitions, its likeliest cycles and a world."""
+    structure = found.program.structure
     line = structure.line
-    states = count_of(len(nodes) - 1, "state")
-    lines = [f"{program.source.name}: {states}, {count_of(trials, 'trial')}"]
-    for node in nodes:
+    states = count_of(len(found.nodes) - 1, "state")
+    lines = [f"{found.program.source.name}: {states}, {count_of(found.trials, 'trial')}"]
+    for node in found.nodes:
         lines += ["", _head(node, structure), *_rows(node, line)]
-    if cycles:
-        lines += ["", "cycles", *(f"  {_cycle(each, line)}" for each in cycles[:MAX_CYCLES])]
-    if world is None:
-        lines += ["", "cut off before its world was found"]
-    elif cycles or world.settings:
-        lines += ["", *_world(world)]
+    if found.cycles:
+        lines += ["", "cycles", *(f"  {_cycle(each, line)}" for each in found.cycles[:MAX_CYCLES])]
+    if found.cycles or found.world.settings:
+        lines += ["", *_world(found.world)]
     return "\n".join(lines) + "\n"
 
 
@@ -52,24 +40,6 @@ def _world(world: FoundWorld) -> Iterator[str]:
             f"  [[{table}]] {', '.join(f'{key} = {value!r}' for key, value in each.items())}"
             for each in entries
         )
-
-
-def lines_of(state: RestState | None, line: Callable[[int], int]) -> str:
-    """Return the lines of a state, with those of the calls that lead there; `line` is that of a source offset."""
-    if state is None:
-        return "power-up"
-    return " and ".join(_place(each, line) for each in state)
-
-
-def _place(place: TaskRest, line: Callable[[int], int]) -> str:
-    lines = ranges(line(at) for at in place.statements)
-    calls = ", ".join(str(line(at)) for at in place.callers)
-    return f"{lines} called in {calls}" if calls else lines
-
-
-def statements_of(state: RestState, structure: Structure) -> str:
-    """Return the first statement of each place of a state."""
-    return " | ".join(structure.statements[min(place.statements)].text for place in state)
 
 
 def causes_of(transition: Transition) -> str:
