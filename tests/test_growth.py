@@ -165,7 +165,7 @@ def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
 @pytest.mark.parametrize(
     "sizes",
     [
-        pytest.param((100, 200, 400), marks=pytest.mark.slow),
+        pytest.param((150, 300, 600), marks=pytest.mark.slow),
         pytest.param((500, 1000, 2000), marks=pytest.mark.long),
     ],
     ids=str,

@@ -265,8 +265,11 @@ class _Words:
         for number in mine[0] if theirs else ():
             values = dict.fromkeys(each.get(number) for each in mine)
             if not values.keys() & {each.get(number) for each in theirs}:
-                shown = (f"{each:.6g}" if isinstance(each, float) else str(each) for each in values)
-                return f"{self.structure.variables.get(number, '?')} = {' or '.join(shown)}"
+                name = self.structure.variables.get(number, "?")
+                if any(each is True for each in values):  # of a value that the world gives only that counts
+                    return f"{name} is not 0"
+                shown = (f"{each:.6g}" if isinstance(each, (bool, float)) else str(each) for each in values)
+                return f"{name} = {' or '.join(shown)}"
         return ""
 
     def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
