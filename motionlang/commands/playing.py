@@ -35,12 +35,10 @@ def time_used(seconds: float | None) -> Callable[[], float]:
     return lambda: 0.0 if seconds is None else (monotonic() - began) / seconds
 
 
-def explored_program(
-    given: ProgramOptions, switches: Mapping[str, object] | None = None, *, keeps: bool = False
-) -> Exploration:
+def explored_program(given: ProgramOptions, switches: Mapping[str, object] | None = None) -> Exploration:
     """Explore the program that a command line names; Refused if it has errors.
 
-    `switches` are those of its axes, where its machine has none; `keeps` is as for `explore`.
+    `switches` are those of its axes, where its machine has none.
     """
     source = given.source()
     settings = {**(switches or {}), **without_world(given.settings())}
@@ -49,6 +47,6 @@ def explored_program(
             program = given.known_language().program(source, settings, is_debug=True)
             program = program.with_values(given.overrides())
             program.require()
-            return explore(program, settings, progress=progress, keeps=keeps)
+            return explore(program, settings, progress=progress)
     except ProgramError as error:
         raise Refused(error.diagnostics, source=source, file=given.file) from None

@@ -200,7 +200,7 @@ class Exploration:
 
     @property
     def _decides(self) -> object:
-        """What its world depends on: the cycles that are played, and the channels."""
+        """The cycles that are played and the channels, on which its world depends."""
         return self.cycles[:PLAYED], self.channels
 
     def cut_off(self) -> dict[Change, set[int]]:

@@ -83,13 +83,6 @@ def given_inputs(structure: Structure) -> Mapping[str, set[int]]:
     return found
 
 
-def written(program: Program) -> set[Channel]:
-    """Return the channels with more than two levels that a program writes."""
-    uses = (use for each in program.structure.statements.values() for use in each.channels)
-    found = (_channel_of(use) for use in uses if use.access != "read")
-    return {each for each in found if each is not None}
-
-
 def _channel_of(use: ChannelUse) -> Channel | None:
     """Return the channel with more than two levels that a statement uses, None if its number is unknown."""
     table = _TABLES.get(use.channel, "")

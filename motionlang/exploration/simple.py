@@ -3,9 +3,9 @@
 Problem. A program of ten lines that runs once may wait for nothing: it looks at an input once, counts it while an axis
 jogs, or takes what a host has written. No state asks for what it needs. Or the likeliest cycle is a side job of a menu.
 
-Idea. Nothing is concluded: the program runs in simple worlds. Other inputs than those of a cycle are off, on, or answer
-when they are asked for. From the world in which most of the program is carried out each channel takes the rule with
-which a run is worth most, one after the other, until none is worth more.
+Idea. The program runs in simple worlds. Other inputs than those of a cycle are off, on, answer when they are asked for,
+or come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
+is worth most, until none is worth more. The channel that a run reads last for the first time may stop it, and is first.
 
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
@@ -205,7 +205,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
     never = is_stuck and not run.has_run_out and done < ENOUGH
     times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
-    # What starts moves without time for them was ended early.
+    # A trial ends early if the program starts moves without time for them.
     is_over = run.status == "until" and run.time < LENGTH
     works = (times >= (1 if has_ended else least) and not is_over) or not _moving(explorer)
     often = 1 if has_ended else ENOUGH
@@ -220,7 +220,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
 
 
 def _cost(table: str, entry: Entry) -> float:
-    """Return what an entry costs: a number that answers, less, and what comes and goes for no reason, more."""
+    """Return the cost of an entry: that of an answer is lower, that of an input that pulses by itself is higher."""
     if table in WRITES and "asked" in entry:
         return ANSWERS
     return PULSED if "every" in entry and "axis" not in entry else 1.0
@@ -247,9 +247,9 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     is_silent, is_still = _missed(explorer)
     if is_silent and run.status != "ended":
         return "prints nothing"
-    if often[MOVE]:
-        return ""
-    return "only jogs" if is_still and often[JOG] else "" if often[JOG] else "only homes"
+    if not (often[MOVE] or often[JOG]):
+        return "only homes"
+    return "only jogs" if is_still and not often[MOVE] else ""
 
 
 def _missed(explorer: Explorer) -> tuple[bool, bool]:
@@ -326,7 +326,6 @@ def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
             mark = [round(way.places[0] + share * step, 2) for share in (0.5, 0.6)]
             if mark[0] < mark[1]:
                 yield {"axis": axis, "between": mark, "every": round(step, 2), "times": ALL}
-    yield {**ON, "for": PUSH}
 
 
 def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:

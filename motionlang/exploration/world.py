@@ -47,7 +47,7 @@ WHOLE = 300.0
 PLAYED = 6
 # An input that answers an output soon, s: some programs look only once.
 SOON = 0.1
-# What happens so close to the ends of a rest, s, led there or leads on.
+# A number or a key is there for so long, s; a comparison includes what comes so soon after its end.
 MOMENT = 0.02
 # A world is compared for this much longer than the played run.
 LONGER = 1.5
@@ -57,9 +57,8 @@ PULSES: Entry = {"at": EVERY / 2, "for": EVERY / 2, "every": EVERY}
 # An input that is on from the start, and one that answers.
 ON: Entry = {"at": 0.0}
 ASKED: Entry = {"asked": DELAY}
-# The tables of numbers of a host, and those whose entries may happen again by themselves.
-NUMBERS = ("comms", "netdata", "modbus.register")
-WRITES = (*NUMBERS, "key")
+# The tables of the numbers of a host and the keys, which may come again.
+WRITES = ("comms", "netdata", "modbus.register", "key")
 
 
 Settings = Mapping[str, object]

@@ -266,7 +266,7 @@ class _Words:
             values = dict.fromkeys(each.get(number) for each in mine)
             if not values.keys() & {each.get(number) for each in theirs}:
                 name = self.structure.variables.get(number, "?")
-                if any(each is True for each in values):  # of a value that the world gives only that counts
+                if any(each is True for each in values):  # a state remembers only if an answer is 0
                     return f"{name} is not 0"
                 shown = (f"{each:.6g}" if isinstance(each, (bool, float)) else str(each) for each in values)
                 return f"{name} = {' or '.join(shown)}"
