@@ -22,6 +22,8 @@ from motionlang.exploration.trials import Trial, plain, without_figures
 TIMES, EXTRA = 5, 3
 # A cycle with something that only each fourth turn brings, such as a full layer, is played for so many times as long.
 SLOW = 5
+# What has done nothing after so many turns never will.
+NEVER = 3
 # So many turns of a cycle are compared.
 COMPARED = 6
 # A rest that is shorter than this, s, is over before a change comes.
@@ -64,10 +66,12 @@ def played(
     times: int = TIMES,
     *,
     goes_back: bool = False,
+    as_found: bool = False,
 ) -> Trial:
     """Play a cycle some times: each change at the state that it leads on from, and others from the start.
 
-    With `goes_back` a level that has led on, or an input in a jog, is 0 again at the next change.
+    With `goes_back` a level that has led on, or an input in a jog, is 0 again at the next change. With `as_found` all
+    inputs have the levels with which each transition was found.
     """
     policy: dict[RestState | None, deque[Transition]] = defaultdict(deque)
     for each in cycle.transitions:
@@ -86,9 +90,10 @@ def played(
     before: RestState | None = None
     back: list[Change] = []
     trial = explorer.play(timeline, max(at, 0.0), is_due)
-    most = times * sum(map(len, policy.values())) + EXTRA
-    for turn in range(SLOW * most):
-        if turn >= most and not 0 < count(cycle, trial) < times:
+    choices = sum(map(len, policy.values()))
+    for turn in range(SLOW * (times * choices + EXTRA)):
+        often = count(cycle, trial)
+        if turn >= (times if often else NEVER) * choices + EXTRA and not 0 < often < times:
             break
         found = explorer.rests(trial)
         due = next(_due(trial, found, policy, at, before), None)
@@ -97,11 +102,15 @@ def played(
         if due is not None:
             chosen = policy[due.state][0]
             policy[due.state].rotate(-1)
-            changes = _missing(chosen.causes, timeline) or _again(chosen.causes)
+            changes = _missing(chosen.causes, timeline)
+            if changes and as_found:
+                changes += _others(explorer, chosen, timeline)
+            changes = changes or _again(chosen.causes)
             goes_on = chosen.goes_on
         if not changes:  # elsewhere: go round by other transitions
             due = next((rest for rest in found if rest.end == inf and rest.state in explorer.nodes), None)
-            changes = () if due is None else _missing(_onward(explorer, due.state, policy), timeline)
+            onward = policy.keys() - {before}  # back there would be round and round
+            changes = () if due is None else _missing(_onward(explorer, due.state, onward), timeline)
         if due is None or (not changes and due.question is None):
             due = next((rest for rest in found if rest.end == inf), None)
             changes = () if due is None else _leading_on(explorer, timeline, due, at)
@@ -158,6 +167,19 @@ def _missing(causes: Causes, timeline: Timeline) -> Causes:
         if not is_there or each.moment != AT_REST:
             missing.append(each)
     return tuple(missing)
+
+
+def _others(explorer: Explorer, chosen: Transition, timeline: Timeline) -> Causes:
+    """Return the changes that give all other inputs the levels with which a transition was found."""
+    wanted = chosen.visit.levels
+    changed = {each.channel for each in chosen.causes}
+    return tuple(
+        Change("input", number, wanted.get(number, 0.0))
+        for number, level in levels_at(timeline, inf).items()
+        if level != wanted.get(number, 0.0)
+        and ("input", number) not in changed
+        and number not in explorer.triggers
+    )
 
 
 def _again(causes: Causes) -> Causes:

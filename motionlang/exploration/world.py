@@ -100,6 +100,8 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         furthest = nowhere(explorer)
         best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
     _, cycle, trial = best
+    if cycle.repeats and explorer.axes and not count(cycle, trial):
+        return FoundWorld(cycle, tables_of(trial.timeline), explorer.trials.last, 0)
     trial = _with_more_on(explorer, cycle, trial)
     return _Description(explorer, count(cycle, trial), cycle, trial).world()
 
@@ -110,15 +112,17 @@ def _is_worse(cycle: MachineCycle, other: MachineCycle) -> bool:
 
 
 def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
-    """Play a cycle; if it does not repeat so, with what led on off again."""
+    """Play a cycle; if it does not repeat so, with all inputs as it was found, or with what led on off again."""
     trial = played(explorer, cycle, times=times)
     enough = min(times, ENOUGH)
     has_level = any(each.table == "analogue" for _, each in trial.timeline)
     jogs = any(each.end == inf for each in trial.moves)
-    if cycle.repeats and (has_level or jogs) and 0 < count(cycle, trial) < enough:
-        back = played(explorer, cycle, times=times, goes_back=True)
-        trial = max(trial, back, key=lambda each: count(cycle, each))
-    return trial
+    if count(cycle, trial) >= enough or not (cycle.repeats and (cycle.work or cycle.said)):
+        return trial
+    tried = [trial, played(explorer, cycle, times=times, as_found=True)]
+    if count(cycle, trial) and (has_level or jogs):
+        tried.append(played(explorer, cycle, times=times, goes_back=True))
+    return max(tried, key=lambda each: count(cycle, each))
 
 
 def nowhere(explorer: Explorer) -> MachineCycle:
@@ -352,7 +356,7 @@ class _Description:
 
         It follows the output that was switched last.
         """
-        result = self._explorer.trials.run_in(self._settings, WHOLE)[0]
+        result = self._explorer.trials.run_in(self._settings, self._until)[0]
         scheduler = result.machine.scheduler
         waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
         stuck = {
@@ -364,7 +368,7 @@ class _Description:
         for number, output, inverted in product(on, latest, ({}, {"value": 0})):
             entry: Entry = {"channel": number, "output": output, "delay": DELAY, **inverted}
             tried = self._with([entry], number)
-            if self._explorer.trials.run_in(tried, WHOLE)[0].status != "fault":
+            if self._explorer.trials.run_in(tried, self._until)[0].status != "fault":
                 yield tried
 
 

@@ -20,7 +20,8 @@ MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_
 PARTS = 4
 SLOW = (
     "bank", "crank", "feeder_marks", "flow", "handover", "hands", "helper", "host", "jog", "labeller", "mark", "mask",
-    "press", "ready", "robot", "selector", "spin", "stages", "table", "teeth", "turntable", "weigher", "winder",
+    "palms", "press", "ready", "robot", "selector", "spin", "stages", "table", "teeth", "turntable", "weigher",
+    "winder",
 )  # fmt: skip
 
 

@@ -1,0 +1,32 @@
+REM Press: both palms on input 0 and 1, let go of in between; the wire on input 4 goes, and another one comes
+AUTO
+CANCEL : SPEED = 80 : ACCEL = 1500
+S = 0
+LOOP
+  IF S = 0 THEN GOSUB READY
+  IF S = 1 THEN GOSUB HANDS
+  IF S = 2 THEN GOSUB PRESS
+  WAIT = 20
+ENDL
+
+#READY
+  IF INX.0 OR INX.1 THEN RETURN
+  IF INX.4 THEN S = 1
+RETURN
+
+#HANDS
+  IF NOT INX.0 AND NOT INX.1 THEN tt = TIME : RETURN
+  IF INX.0 AND INX.1 DO
+    IF TIME - tt < 500 THEN S = 2 ELSE S = 0
+    RETURN
+  ENDIF
+  IF TIME - tt > 500 THEN S = 0
+RETURN
+
+#PRESS
+  MOVEA = 38.5 : GO : PAUSE IDLE
+  MOVEA = 0 : GO : PAUSE IDLE
+  IF INX.4 THEN PAUSE NOT INX.4
+  PRINT "PRESSED"
+  S = 0
+RETURN
