@@ -32,6 +32,7 @@ from motionlang.exploration.values import is_probe
 from motionlang.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
+from motionlang.kernel.lang import WRITE
 
 # So much of the work of an exploration simple worlds may take, less where a good one was found, in so many runs of this
 # length, s.
@@ -230,6 +231,7 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     """Return what is wrong with the work of a run in words, "" if nothing is.
 
     A run that prints nothing, or only jogs, does no work if the program has texts, or moves, that no trial has reached.
+    One that switches no output does none if the program switches several.
     """
     right, faults = _acts(explorer, run)
     often = Counter[str]()
@@ -242,6 +244,8 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
         return "cuts off its moves at once"
+    if not (often[OUTPUT] or said) and len(_outputs(explorer)) > 1:
+        return "switches no output"
     if often[SAID] or not run.machine.log.moves:
         return ""
     is_silent, is_still = _missed(explorer)
@@ -259,6 +263,15 @@ def _missed(explorer: Explorer) -> tuple[bool, bool]:
     texts = (text for each in missed for text in _TEXT.findall(each.text))
     moves = (use.row.topic == "move" for each in missed for use in each.axes)
     return not all(map(is_wrong, texts)), any(moves)
+
+
+def _outputs(explorer: Explorer) -> set[str]:
+    """Return the outputs, but for alarms, that the statements of the work write."""
+    statements = explorer.program.structure.statements.items()
+    work = (each for at, each in statements if at not in explorer.beside | explorer.handlers)
+    written = (use for each in work for use in each.channels if use.access == WRITE)
+    alarms = set(map(str, explorer.alarms))
+    return {use.number for use in written if use.channel == "output"} - alarms
 
 
 def _moving(explorer: Explorer) -> set[int]:

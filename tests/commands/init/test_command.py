@@ -265,6 +265,27 @@ PIECE = program(f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nENDL\n")
                 "no good piece was found: the best cycle switches on output 2, an alarm by its name",
             ],
         ),
+        (
+            "old.prg",
+            f"k = 0\nLOOP\nPAUSE INX.0\n{STROKE}IF k = 3 THEN OUTX.1 = 1 : OUTX.2 = 1\nPAUSE INX.0 = 0\nENDL\n",
+            1,
+            [
+                "input 0 leads on from lines 3, 6",
+                "outputs 1, 2 were never switched on",
+                "cycle: 0.62006 s, 483 times (line 4), cycle(4)",
+                "no good piece was found: the best cycle switches no output; not reached: line 5",
+            ],
+        ),
+        (
+            "old.mnt",
+            "Loop\nPause INX(0)\nMOVER(0) = 10 : GO(0) : Pause IDLE(0)\n"
+            'If INX(1) Then Print "part" Else Print "held, code 3"\nPause INX(0) = 0\nEnd Loop\n',
+            0,
+            [
+                "input 0 leads on from lines 2, 5",
+                "cycle: 0.62007 s, 484 times (lines 3 to 4), cycle(print part)",
+            ],
+        ),
     ],
 )
 def test_the_last_lines(cell: Cell, name: str, text: str, status: int, notes: list[str]) -> None:
