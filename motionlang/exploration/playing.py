@@ -65,13 +65,11 @@ def played(
     others: Causes = (),
     times: int = TIMES,
     *,
-    goes_back: bool = False,
     as_found: bool = False,
 ) -> Trial:
     """Play a cycle some times: each change at the state that it leads on from, and others from the start.
 
-    With `goes_back` a level that has led on, or an input in a jog, is 0 again at the next change. With `as_found` all
-    inputs have the levels with which each transition was found.
+    With `as_found` all inputs have the levels with which each transition was found.
     """
     policy: dict[RestState | None, deque[Transition]] = defaultdict(deque)
     for each in cycle.transitions:
@@ -88,7 +86,6 @@ def played(
         )
 
     before: RestState | None = None
-    back: list[Change] = []
     trial = explorer.play(timeline, max(at, 0.0), is_due)
     choices = sum(map(len, policy.values()))
     for turn in range(SLOW * (times * choices + EXTRA)):
@@ -119,23 +116,14 @@ def played(
         reset = _reset(explorer, changes, timeline) if _is_same(trial, due, at, before) else ()
         before, begin = None if goes_on else due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
-        new = {each.channel for each in changes}
-        made = made_at(at, (*(each for each in back if each.channel not in new), *reset))
+        made = made_at(at, reset)
         made = (*made, *made_at(round(at + (PERIOD / 2 if reset else 0.0), 4), changes))
         timeline = (*timeline, *made)
         since = at
-        jogs = any(each.end == inf and not each.ended and each.begin < since for each in trial.moves)
-        back = [each._replace(value=0.0) for each in changes if goes_back and _goes_back(each, jogs)]
         # An input that comes and goes passes rests that are no new ones.
         at = max([at, *(each.levels(time)[-1][0] for time, each in made if each.moment.every)])
         trial = explorer.play(timeline, since, is_due)
     return explorer.play(timeline, 0.0, lambda trial: at <= trial.time and count(cycle, trial) >= COMPARED)
-
-
-def _goes_back(change: Change, jogs: bool) -> bool:
-    """True if a change goes back by itself: a level, or an input that an axis passes while it jogs."""
-    is_passed = jogs and change.table == "input" and change.value == 1.0 and change.moment == AT_REST
-    return is_passed or change.table == "analogue"
 
 
 def _leading_on(explorer: Explorer, timeline: Timeline, rest: Rest, at: float) -> Causes:

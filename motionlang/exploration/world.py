@@ -115,14 +115,10 @@ def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
     """Play a cycle; if it does not repeat so, with all inputs as it was found, or with what led on off again."""
     trial = played(explorer, cycle, times=times)
     enough = min(times, ENOUGH)
-    has_level = any(each.table == "analogue" for _, each in trial.timeline)
-    jogs = any(each.end == inf for each in trial.moves)
     if count(cycle, trial) >= enough or not (cycle.repeats and (cycle.work or cycle.said)):
         return trial
-    tried = [trial, played(explorer, cycle, times=times, as_found=True)]
-    if count(cycle, trial) and (has_level or jogs):
-        tried.append(played(explorer, cycle, times=times, goes_back=True))
-    return max(tried, key=lambda each: count(cycle, each))
+    as_found = played(explorer, cycle, times=times, as_found=True)
+    return max(trial, as_found, key=lambda each: count(cycle, each))
 
 
 def nowhere(explorer: Explorer) -> MachineCycle:
