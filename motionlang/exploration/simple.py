@@ -21,7 +21,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from itertools import chain
 from math import fsum, inf
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, number_in
 from motionlang.exploration.cycles import MachineCycle, is_wrong, wrong
@@ -36,7 +36,7 @@ from motionlang.kernel.lang import WRITE
 
 # So much of the work of an exploration simple worlds may take, less where a good one was found, in so many runs of this
 # length, s.
-SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 80, 60.0
+SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 250, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
@@ -62,7 +62,7 @@ MARKS, LENGTHS, ALL = 7, 3, 300
 # So many rules of each channel are tried first.
 FIRST = 7
 # Levels and numbers that are tried.
-LEVELS, NUMBERS = (30.0, 50.0, 70.0), (1, 2, 3, 10, 100)
+LEVELS, ABOVE, NUMBERS = (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
 
 Settings = Mapping[str, object]
 
@@ -70,8 +70,8 @@ Settings = Mapping[str, object]
 class Tried(NamedTuple):
     """A run in a world: the statements that begin, their share of the program, its worth, and if its work is good.
 
-    `read` are the channels that it reads, in the order in which it reads them first. `times` is how often the line
-    moves an axis that does so most often.
+    `read` are the channels that it reads, in the order in which it reads them first, or last if it waits for ever.
+    `times` is how often the line moves an axis that does so most often, `faults` how much it says of what is wrong.
     """
 
     settings: Settings
@@ -79,6 +79,7 @@ class Tried(NamedTuple):
     begun: frozenset[int]
     read: Sequence[Channel]
     times: int
+    faults: float
     share: float
     value: float
     is_good: bool
@@ -98,6 +99,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         if more.is_good and 2 * more.times >= first.times and more.value >= first.value + MORE:
             found, first = found._replace(settings=more.settings, run=more.run), more
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
+    if first.is_good and (within := _within_limits(explorer, channels, first, least)) is not None:
+        found, first = found._replace(settings=within.settings, run=within.run), within
     # What comes one by one is over soon.
     often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
     if first.is_good and (listed := [each for each in channels if often[each] > LISTED]):
@@ -133,6 +136,33 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     return world._replace(settings=best.settings, run=best.run)
 
 
+def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried | None:
+    """Return a good run with a level that nothing has set yet, in which the program says what no other level brings.
+
+    It has measured a part then, and what is within limits is good. The rules of other channels may depend on it.
+    """
+
+    def tried(channel: Channel, level: float) -> Tried:
+        return _tried(explorer, _with(first.settings, channel, {"value": level, **ON}))
+
+    known = {number_in("analogue", each) for each in entries(first.settings, "analogue")}
+    for channel in (each for each in channels if each[0] == "analogue" and each[1] not in known):
+        others = _said(first) | _said(tried(channel, ABOVE))
+        for level in _values(explorer, channel):
+            run = tried(channel, level)
+            if not _said(run) <= others:
+                left = [each for each in channels if each != channel]
+                most = explorer.trials.work + explorer.whole
+                run = run if run.is_good else _climbed(explorer, left, run, least, most)
+                if run.is_good and not _said(run) <= others:
+                    return run
+    return None
+
+
+def _said(tried: Tried) -> set[str]:
+    return {without_figures(plain(each.text)) for each in tried.run.machine.log.prints}
+
+
 def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
     """Yield the settings with another simple rule for one channel, and that channel."""
     first = _tried(explorer, settings)
@@ -162,19 +192,23 @@ def _asked(settings: Settings) -> Settings:
 def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int, most: float) -> Tried:
     """Return the simple world that is worth most: channels take the best of their rules until none is better.
 
-    What the run has read for the first time last comes first, since it may be what stops it; then what starts a
-    handler. The first rules of all channels come before the others.
+    What the run has read last comes first, since it may be what stops it; then what starts a handler. The first rules
+    of all channels come before the others.
     """
     trials = explorer.trials
     last, enough = trials.count + TRIES, trials.work + GOOD * explorer.whole
     part, before = slice(FIRST), best.value
     while True:
-        read = [*reversed(best.read), *(("input", each) for each in sorted(explorer.triggers))]
+        events = sorted(explorer.triggers | explorer.latches)
+        read = [*reversed(best.read), *(("input", each) for each in events)]
         for channel in (each for each in dict.fromkeys(read) if each in channels):
             for settings in [*_others(explorer, channel, best)][part]:
                 if trials.work > (min(enough, most) if best.is_good else most) or trials.count > last:
                     return best
-                best = max(best, _tried(explorer, settings, least), key=lambda each: each.value)
+                run = _tried(explorer, settings, least)
+                # What says what is wrong comes no further than what has begun to work.
+                if run.value > best.value and (run.faults <= best.faults or not best.times):
+                    best = run
             if best.value > before + HALF:
                 break
         if best.value <= before and part.start:
@@ -188,7 +222,8 @@ def _channels(explorer: Explorer) -> list[Channel]:
     uses = (use for _, use in explorer.program.structure.inputs())
     named = [("input", int(use.number)) for use in uses if use.channel == "input" and use.number.isdecimal()]
     numbers = (each for each in explorer.read if each[0] in ("key", "analogue", "comms", "netdata"))
-    known = dict.fromkeys([*numbers, *(("input", each) for each in explorer.channels), *named])
+    inputs = (("input", each) for each in (*explorer.channels, *sorted(explorer.latches)))
+    known = dict.fromkeys([*numbers, *inputs, *named])
     return [each for each in known if each not in explorer.given]
 
 
@@ -204,6 +239,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     acts = (each.time for some in (log.prints, log.outputs) for each in some)
     last = max(chain(acts, (each.start_time for each in log.moves)), default=0.0)
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
+    order = sorted(read, key=lambda each: round(read[each])) if is_stuck else list(read)
     never = is_stuck and not run.has_run_out and done < ENOUGH
     times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
     # A trial ends early if the program starts moves without time for them.
@@ -213,11 +249,12 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     share = len(begun) / max(len(explorer.program.structure.statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
-    value -= WRONG * fsum(min(count / often, 1.0) for count in faults.values())
+    wrongs = fsum(min(count / often, 1.0) for count in faults.values())
+    value -= WRONG * wrongs
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
     value -= ENTRY * fsum(_cost(*each) for each in made)
     is_good = works and not (never or fault_of(explorer, run))
-    return Tried(settings, run, frozenset(begun), read, times, share, round(value, 6), is_good)
+    return Tried(settings, run, frozenset(begun), order, times, wrongs, share, round(value, 6), is_good)
 
 
 def _cost(table: str, entry: Entry) -> float:
@@ -304,15 +341,20 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
 
 def _others(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Settings]:
     """Yield the settings of a run with another rule for a channel, the simplest first."""
+    is_counted = channel[1] in explorer.triggers
+    for rule in (
+        _rules(best.run, is_counted) if channel[0] == "input" else _levels(explorer, channel, best.run)
+    ):
+        yield _with(best.settings, channel, rule)
+
+
+def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
+    """Return settings with a rule for a channel, the only one; none if it is empty."""
     table, number = channel
-    others = {key: each for key, each in best.settings.items() if key != table}
-    left = [each for each in entries(best.settings, table) if number_in(table, each) != number]
-    is_counted = number in explorer.triggers
-    for rule in _rules(best.run, is_counted) if table == "input" else _levels(explorer, channel, best.run):
-        made = sorted(
-            [*left, *([{**keys_of(*channel), **rule}] if rule else [])], key=partial(number_in, table)
-        )
-        yield {**others, **({table: made} if made else {})}
+    others = {key: each for key, each in settings.items() if key != table}
+    left = [each for each in entries(settings, table) if number_in(table, each) != number]
+    made = sorted([*left, *([{**keys_of(*channel), **rule}] if rule else [])], key=partial(number_in, table))
+    return {**others, **({table: made} if made else {})}
 
 
 def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
@@ -343,25 +385,30 @@ def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
 
 def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
-    tried = (each for node in explorer.nodes.values() for causes in node.tried for each in causes)
-    solved = dict.fromkeys(each.value for each in tried if each.channel == channel and not is_probe(each))
-    if channel[0] == "key":
-        for text in solved:
-            yield {"text": text, **ASKED}
-            yield {"text": text, "at": DELAY}
-        return
+    values = _values(explorer, channel)
     if channel[0] != "analogue":
-        for value in dict.fromkeys((*map(float, solved), *NUMBERS)):
-            whole = int(value) if channel[0] == "netdata" else value
-            yield {"value": whole, **ASKED}
-            yield {"value": whole, "at": DELAY}
+        key = "text" if channel[0] == "key" else "value"
+        for each in values:
+            yield {key: each, **ASKED}
+            yield {key: each, "at": DELAY}
         return
-    values = sorted({*map(float, solved), *LEVELS})
     for value in values:
         yield {"value": value, **ON}
         for axis, way in _ways(run).items():
             low, high = min(way.places), max(way.places)
             yield {"axis": axis, "above": low, "value": 0.0, "per_unit": round(2 * value / (high - low), 4)}
+
+
+def _values(explorer: Explorer, channel: Channel) -> list[Any]:
+    """Return the values of a key, a number or a level at which comparisons turn, and usual ones."""
+    tried = (each for node in explorer.nodes.values() for causes in node.tried for each in causes)
+    solved = dict.fromkeys(each.value for each in tried if each.channel == channel and not is_probe(each))
+    if channel[0] == "key":
+        return list(solved)
+    if channel[0] == "analogue":
+        return sorted({*map(float, solved), *LEVELS})
+    whole = int if channel[0] == "netdata" else float
+    return list(dict.fromkeys(whole(each) for each in (*solved, *NUMBERS)))
 
 
 class Way(NamedTuple):

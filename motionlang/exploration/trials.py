@@ -10,6 +10,7 @@ A trial is split at the times of `HORIZONS`, where it ends if its caller has see
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
@@ -299,23 +300,23 @@ class Trials:
 
     def run_in(
         self, tables: Mapping[str, object], until: float | None = None
-    ) -> tuple[Run, set[int], list[Channel]]:
+    ) -> tuple[Run, set[int], dict[Channel, float]]:
         """Run the program with some tables of the machine file up to a time.
 
-        Without a time the run ends where that of a machine file does. Returns also what has begun, and the channels
-        that were read, in the order in which they were read first.
+        Without a time the run ends where that of a machine file does. Returns also what has begun, and when each
+        channel was read last, s, in the order in which they were read first.
         """
         self.count += 1
         recorder = TrialRecorder((), {}, inf, is_cut=self._is_cut)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
         begun = {each for each in recorder.seen if isinstance(each, int)}
-        firsts = sorted(
-            (spans[0].first, channel)
-            for each in recorder.readings.values()
-            for channel, spans in each.items()
-        )
-        return result, begun, list(dict.fromkeys(channel for _, channel in firsts))
+        spans: dict[Channel, list[float]] = defaultdict(list)
+        for each in recorder.readings.values():
+            for channel, read in each.items():
+                spans[channel] += (read[0].first, read[-1].last)
+        firsts = sorted(spans, key=lambda channel: (min(spans[channel]), channel))
+        return result, begun, {channel: max(spans[channel]) for channel in firsts}
 
 
 # The shapes of profiles without an end of their own.

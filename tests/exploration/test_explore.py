@@ -19,8 +19,8 @@ MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_
 # Machines whose exploration takes a second or more, in so many tests.
 PARTS = 4
 SLOW = (
-    "bank", "crank", "feeder_marks", "flow", "handover", "hands", "helper", "host", "jog", "labeller", "mark", "mask",
-    "palms", "press", "ready", "robot", "selector", "spin", "stages", "table", "teeth", "turntable", "weigher",
+    "bank", "crank", "feeder_marks", "flow", "handover", "hands", "helper", "host", "jog", "labeller", "limits", "mark",
+    "mask", "palms", "press", "ready", "robot", "selector", "spin", "stages", "table", "teeth", "turntable", "weigher",
     "winder",
 )  # fmt: skip
 

@@ -279,7 +279,7 @@ PIECE = program(f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nENDL\n")
         (
             "old.mnt",
             "Loop\nPause INX(0)\nMOVER(0) = 10 : GO(0) : Pause IDLE(0)\n"
-            'If INX(1) Then Print "part" Else Print "held, code 3"\nPause INX(0) = 0\nEnd Loop\n',
+            'If INX(1) Then Print "part" Else Print 5.0; " thrown out"\nPause INX(0) = 0\nEnd Loop\n',
             0,
             [
                 "input 0 leads on from lines 2, 5",
