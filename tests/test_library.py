@@ -65,6 +65,7 @@ def modules() -> list[str]:
     return [each.name for each in found if each.name not in NOT_IMPORTED]
 
 
+@pytest.mark.slow
 def test_no_submodule_hides_a_name() -> None:
     """No module of the package has the name of a function of the library.
 

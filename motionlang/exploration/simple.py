@@ -28,7 +28,7 @@ from motionlang.exploration.cycles import MachineCycle, is_wrong, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import SHORTEST_MOVE, is_short_move, plain, without_figures
-from motionlang.exploration.values import is_probe
+from motionlang.exploration.values import is_probe, probes_of, solved
 from motionlang.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
@@ -137,30 +137,30 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried | None:
-    """Return a good run with a level that nothing has set yet, in which the program says what no other level brings.
+    """Return a good run with a level at which statements begin that begin at no other one, if none do in the first.
 
-    It has measured a part then, and what is within limits is good. The rules of other channels may depend on it.
+    The program has measured a part then, and what is within limits is good. The rules of other channels may depend on it.
     """
+    for channel in (each for each in channels if each[0] == "analogue"):
 
-    def tried(channel: Channel, level: float) -> Tried:
-        return _tried(explorer, _with(first.settings, channel, {"value": level, **ON}))
+        def settings(level: object, channel: Channel = channel) -> Settings:
+            return _with(first.settings, channel, {"value": level, **ON})
 
-    known = {number_in("analogue", each) for each in entries(first.settings, "analogue")}
-    for channel in (each for each in channels if each[0] == "analogue" and each[1] not in known):
-        others = _said(first) | _said(tried(channel, ABOVE))
-        for level in _values(explorer, channel):
-            run = tried(channel, level)
-            if not _said(run) <= others:
+        ends = [_tried(explorer, settings(level)) for level in (0.0, ABOVE)]
+        usual = ends[0].begun | ends[1].begun
+        if not first.begun <= usual:
+            continue
+        probes = probes_of(channel)
+        trials = [explorer.trials.play_in(settings(each.value), LENGTH) for each in probes]
+        for level in (each.value for each in solved(*probes, *trials)):
+            run = _tried(explorer, settings(level))
+            if not run.begun <= usual:
                 left = [each for each in channels if each != channel]
                 most = explorer.trials.work + explorer.whole
                 run = run if run.is_good else _climbed(explorer, left, run, least, most)
-                if run.is_good and not _said(run) <= others:
+                if run.is_good and not run.begun <= usual:
                     return run
     return None
-
-
-def _said(tried: Tried) -> set[str]:
-    return {without_figures(plain(each.text)) for each in tried.run.machine.log.prints}
 
 
 def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:

@@ -33,6 +33,7 @@ def test_a_loop_that_takes_the_time_is_skipped(inputs: tuple[tuple[int, float], 
     assert sum(skips) > 280_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", FOUND)
 def test_a_program_that_was_skipped_too_far(seed: int) -> None:
     assert is_equal(seed)

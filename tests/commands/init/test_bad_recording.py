@@ -111,6 +111,7 @@ def test_contacts_that_bounce(cell: Cell) -> None:
     assert [each["delay"] for each in entries(cell, 2)] == [0.09, 0.22]
 
 
+@pytest.mark.slow
 def test_the_recording_of_another_program(cell: Cell) -> None:
     ran = init(cell, columns("saw.mccl"))
     assert ran.status == 1

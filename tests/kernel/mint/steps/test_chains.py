@@ -53,7 +53,7 @@ CHAINS = {
     "Case list": (f"Select Case a\nCase {', '.join(map(str, range(LENGTH, -1, -1)))}\nPRINT 5\nEnd Select", "5"),
     "Cases": ("a = 9\nSelect Case a\n" + "".join(f"Case {n}\nPRINT {n}\n" for n in range(LENGTH)) + "End Select", "9"),
     "PRINT": ("PRINT " + "; ".join(["a"] * LENGTH), "0" * LENGTH),
-    "one line": (": ".join(["a = a + 1"] * LENGTH) + ": PRINT a", "1500"),
+    "one line": (": ".join(["a = a + 1"] * 1100) + ": PRINT a", "1100"),
     "one-line If": ("If a = 0 Then " + ": ".join(["a = a + 1"] * LENGTH) + "\nPRINT a", "1500"),
     "Dim": ("Dim " + ", ".join(f"v{n} As Integer" for n in range(LENGTH)) + "\nPRINT v7", "0"),
 }  # fmt: skip
