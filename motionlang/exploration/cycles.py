@@ -42,8 +42,9 @@ SAID, WRONG = 2.0, 20.0
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
-    r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|lost|empty|emergency"
-    r"|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) o(?:ff|ut)|binned|crack|spoil|divert|rework|\bwaste|\bnok\b"
+    r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|lost|empty"
+    r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) o(?:ff|ut)|binned|crack|spoil|divert"
+    r"|rework|\bwaste|\bnok\b"
     r"|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(

@@ -137,9 +137,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried | None:
-    """Return a good run with a level at which statements begin that begin at no other one, if none do in the first.
+    """Return a good run with a level at which statements begin that begin at no other, if none do in the first.
 
-    The program has measured a part then, and what is within limits is good. The rules of other channels may depend on it.
+    The program has measured a part then, and what is within limits is good. Rules of other channels may depend on it.
     """
     for channel in (each for each in channels if each[0] == "analogue"):
 

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from bisect import bisect_right
+from collections.abc import Collection, Iterable, Iterator
+from itertools import islice
+from textwrap import shorten
 
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import leading
+from motionlang.commands.map.behaviour import never_run
 from motionlang.commands.map.channels import only_named
 from motionlang.commands.map.program_map import channels_of
 from motionlang.exploration import SHORTEST_MOVE, Change, Exploration, StateNode, is_probe
 from motionlang.kernel import Run
-from motionlang.kernel.lang import WRITE, Structure, names_in_comments
+from motionlang.kernel.lang import HOST_CHANNELS, WRITE, Structure, names_in_comments
 from motionlang.kernel.tools import count_of
+
+# So much of what was not reached is shown.
+SHOWN = 5
 
 
 def first_move(structure: Structure) -> int:
@@ -56,12 +63,30 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
     if what := exploration.fault_of(result):
-        missed = f"; not reached: {_lines(exploration.missed)}" if exploration.missed else ""
-        found.append(f"no good piece was found: the best cycle {what}{missed}")
+        found.append(f"no good piece was found: the best cycle {what}")
+        found += islice(_not_reached(structure, exploration), SHOWN)
+        found.append(f"to find by hand what leads there: motionlang panel {exploration.program.source.name}")
     if motionless(structure, result):
         found.append(f"no axis moved, and line {first_move(structure)} commands motion")
         found += _stays(exploration)
     return found
+
+
+def _not_reached(structure: Structure, exploration: Exploration) -> Iterator[str]:
+    """Yield what no trial has printed, moved, or told a host, with the condition on the way there."""
+    rows = list(never_run(exploration, structure))
+    firsts, begun = [each.first for each in rows], exploration.begun
+    for each in structure.statements.values() if rows else ():
+        row = rows[max(bisect_right(firsts, each.line) - 1, 0)]
+        tells = any(use.access == WRITE and use.channel in HOST_CHANNELS for use in each.channels)
+        moves = any(use.row.topic == "move" for use in each.axes)
+        if (
+            row.first <= each.line <= row.last
+            and each.at not in begun
+            and (tells or moves or '"' in each.text)
+        ):
+            why = f" ({row.why})" if row.why else ""
+            yield f"not reached: line {each.line}, {shorten(each.text, 40, placeholder=' …')}{why}"
 
 
 def _stays(exploration: Exploration) -> list[str]:

@@ -157,7 +157,7 @@ def behaviour_of(
         cautions(exploration, structure, names),
         words.remarks(),
         sorted(
-            (*_never_run(exploration, structure), *unreached),
+            (*never_run(exploration, structure), *unreached),
             key=attrgetter("first"),
         ),
         span,
@@ -511,8 +511,8 @@ def _is_within(time: float, begin: float, end: float) -> bool:
 # ------------------------------------------------------------------------------------------------- what never ran
 
 
-def _never_run(exploration: Exploration, structure: Structure) -> Iterator[UnreachedRow]:
-    """Yield the lines that something leads to and that no trial has carried out."""
+def never_run(exploration: Exploration, structure: Structure) -> Iterator[UnreachedRow]:
+    """Yield the lines that something leads to and that no trial of an exploration has carried out."""
     points, statements, counted = structure.points, structure.statements, set(exploration.program.offsets)
     begun = exploration.begun
     why: dict[int, str] = {}
