@@ -113,11 +113,9 @@ def played(
             changes = () if due is None else _leading_on(explorer, timeline, due, at)
         if due is None or not changes:
             break
-        reset = _reset(explorer, changes, timeline) if _is_same(trial, due, at, before) else ()
         before, begin = None if goes_on else due.state, max(due.begin, at)
         at = round(begin + delay(begin, due.end), 4) if due.question is None else begin
-        made = made_at(at, reset)
-        made = (*made, *made_at(round(at + (PERIOD / 2 if reset else 0.0), 4), changes))
+        made = made_at(at, changes)
         timeline = (*timeline, *made)
         since = at
         # An input that comes and goes passes rests that are no new ones.
@@ -177,19 +175,6 @@ def _again(causes: Causes) -> Causes:
         each._replace(value=1.0 - each.value, moment=moment)
         for each in causes
         if each.table == "input" and isinstance(each.value, float)
-    )
-
-
-def _reset(explorer: Explorer, causes: Causes, timeline: Timeline) -> Causes:
-    """Return the numbers of a host that start a handler as 0 where they have the same value as before.
-
-    Some controllers start the handler only if the value changes, so the same value has led nowhere.
-    """
-    before = {each.channel: each.value for _, each in timeline}
-    return tuple(
-        each._replace(value=type(each.value)(0))
-        for each in causes
-        if each.channel in explorer.started_by and before.get(each.channel) == each.value
     )
 
 
