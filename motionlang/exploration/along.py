@@ -8,7 +8,7 @@ from math import inf
 
 from motionlang.exploration.changes import Change, Moment, entries, tables_of
 from motionlang.exploration.states import DELAY
-from motionlang.exploration.trials import MAX_MOVES, Trial, TrialMotion
+from motionlang.exploration.trials import Trial, TrialMotion
 from motionlang.identification import Entry, place
 from motionlang.kernel import Axis
 
@@ -53,12 +53,7 @@ def along(trial: Trial, axes: Axes) -> dict[int, Entry]:
 
 
 def beyond(trial: Trial, axes: Axes) -> dict[int, Entry]:
-    """Return the entries by the position of an axis for inputs that come on while it jogs: beyond it, or at steps.
-
-    There are none where a program starts to jog again and again.
-    """
-    if len(trial.moves) > MAX_MOVES:
-        return {}
+    """Return the entries by the position of an axis for inputs that come on while it jogs: beyond it, or at steps."""
     moves = [
         (time, each, _jogging(trial, axes, time)) for time, each in trial.timeline if each.table == "input"
     ]

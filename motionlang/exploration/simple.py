@@ -91,22 +91,21 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     It is the world of another cycle that carries out what this one does not, or a simple one.
     """
     first = _tried(explorer, found.settings)
+    known = explorer.triggers | {number_in("input", each) for each in entries(first.settings, "input")}
     for number in explorer.channels if first.is_good and found.cycle.repeats else ():
         # An input with which more is said is on, such as that of a good part.
-        more = first
-        if number not in explorer.triggers:
-            more = _tried(explorer, _with_others(first.settings, [number], ON), min(first.times, ENOUGH))
-        if more.is_good and 2 * more.times >= first.times and more.value >= first.value + MORE:
-            found, first = found._replace(settings=more.settings, run=more.run), more
+        if number not in known:
+            more = _tried(explorer, _with(first.settings, ("input", number), ON), min(first.times, ENOUGH))
+            if more.is_good and 2 * more.times >= first.times and more.value >= first.value + MORE:
+                first = more
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
-    if first.is_good and (within := _within_limits(explorer, channels, first, least)) is not None:
-        found, first = found._replace(settings=within.settings, run=within.run), within
-    # What comes one by one is over soon.
-    often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
-    if first.is_good and (listed := [each for each in channels if often[each] > LISTED]):
-        first = _climbed(explorer, listed, first, least, inf)
-        if first.settings != found.settings:
-            found = found._replace(settings=first.settings, run=first.run)
+    if first.is_good:
+        first = _within_limits(explorer, channels, first, least)
+        # What comes one by one is over soon.
+        often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
+        first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
+    if first.settings != found.settings:
+        found = found._replace(settings=first.settings, run=first.run)
     if first.is_good and first.share >= LITTLE:
         return found
     others = [
@@ -116,8 +115,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
-    known = {**found.settings, "input": []}
-    bases = [known, {**known, **_asked(known)}]
+    bare = {**found.settings, "input": []}
+    bases = [bare, {**bare, **_asked(bare)}]
     starts = [(_with_others(each, inputs, rule), found) for each in bases for rule in (ASKED, ON, PULSES)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
     tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
@@ -136,8 +135,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     return world._replace(settings=best.settings, run=best.run)
 
 
-def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried | None:
-    """Return a good run with a level at which statements begin that begin at no other, if none do in the first.
+def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
+    """Return a good run with a level at which statements begin that begin at no other, or the first one.
 
     The program has measured a part then, and what is within limits is good. Rules of other channels may depend on it.
     """
@@ -160,7 +159,7 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
                 run = run if run.is_good else _climbed(explorer, left, run, least, most)
                 if run.is_good and not run.begun <= usual:
                     return run
-    return None
+    return first
 
 
 def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
@@ -341,11 +340,8 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
 
 def _others(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Settings]:
     """Yield the settings of a run with another rule for a channel, the simplest first."""
-    is_counted = channel[1] in explorer.triggers
-    for rule in (
-        _rules(best.run, is_counted) if channel[0] == "input" else _levels(explorer, channel, best.run)
-    ):
-        yield _with(best.settings, channel, rule)
+    rules = _rules if channel[0] == "input" else _levels
+    yield from (_with(best.settings, channel, rule) for rule in rules(explorer, channel, best.run))
 
 
 def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
@@ -357,7 +353,7 @@ def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
     return {**others, **({table: made} if made else {})}
 
 
-def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
+def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     """Yield the simple rules of an input: never, always, a person, a sensor behind an output, marks, a position."""
     simple: tuple[Entry, ...] = (
         {},
@@ -367,7 +363,7 @@ def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
         {**ASKED, "for": PUSH},
         {**ON, "for": PUSH},
     )
-    if is_counted:
+    if channel[1] in explorer.triggers:
         yield {**COUNTED}
     yield from simple
     for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
@@ -385,14 +381,12 @@ def _rules(run: Run, is_counted: bool) -> Iterator[Entry]:
 
 def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
-    values = _values(explorer, channel)
-    if channel[0] != "analogue":
-        key = "text" if channel[0] == "key" else "value"
-        for each in values:
-            yield {key: each, **ASKED}
-            yield {key: each, "at": DELAY}
-        return
-    for value in values:
+    key = "text" if channel[0] == "key" else "value"
+    for value in _values(explorer, channel):
+        if channel[0] != "analogue":
+            yield {key: value, **ASKED}
+            yield {key: value, "at": DELAY}
+            continue
         yield {"value": value, **ON}
         for axis, way in _ways(run).items():
             low, high = min(way.places), max(way.places)

@@ -89,25 +89,20 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
         if explorer.trials.work > most:
             break
         trial = _best_played(explorer, cycle, times)
-        found, often = quality(cycle, trial), count(cycle, trial)
-        is_worse = best is not None and best[0][0] and _is_worse(cycle, best[1])
-        if best is None or (found > best[0] and cycle.repeats and not is_worse):
+        found = quality(cycle, trial)
+        if best is None or (found > best[0] and cycle.repeats):
             best = found, cycle, trial
-        if found >= wanted or (often >= wanted[2] and faults(cycle, trial) * ENOUGH <= often):
+        if found >= wanted or (found[2] >= wanted[2] and faults(cycle, trial) * ENOUGH <= found[2]):
             break
     if best is None:
         furthest = nowhere(explorer)
         best = (False, True, 0), furthest, explorer.play(furthest.visit.timeline, 0.0)
     _, cycle, trial = best
     if cycle.repeats and explorer.axes and not count(cycle, trial):
-        return FoundWorld(cycle, tables_of(trial.timeline), explorer.trials.last, 0)
+        settings = tables_of(trial.timeline)
+        return FoundWorld(cycle, settings, explorer.trials.run_in(settings, trial.time)[0], 0)
     trial = _with_more_on(explorer, cycle, trial)
     return _Description(explorer, count(cycle, trial), cycle, trial).world()
-
-
-def _is_worse(cycle: MachineCycle, other: MachineCycle) -> bool:
-    """True if a cycle moves nothing, or says more of what is wrong, and another one does not."""
-    return (not cycle.work and bool(other.work)) or wrong(cycle.said) > wrong(other.said)
 
 
 def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:

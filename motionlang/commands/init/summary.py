@@ -58,7 +58,7 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     cycle = result.cycle
     if cycle is not None:
         found.append(f"cycle: {cycle}")
-    found += _unmoved(structure, draft, guessed)
+    found += _unmoved(structure, result)
     found += _unused(result)
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
@@ -129,20 +129,12 @@ def _value(change: Change) -> str:
     return change.value if isinstance(change.value, str) else f"{change.value:.10g}"
 
 
-def _unmoved(structure: Structure, draft: Draft, guessed: Collection[int]) -> list[str]:
-    """Return the lines that command motion and moved no axis, with the inputs that never changed."""
-    log = draft.run.machine.log
-    lines = sorted(_move_lines(structure) - {each.line for each in log.moves})
-    still: dict[int, set[int]] = {}
-    for line, use in structure.inputs():
-        if use.channel == "input" and use.number.isdecimal() and int(use.number) not in guessed:
-            still.setdefault(int(use.number), set()).add(line)
-    if not lines or not len(log.moves):
-        return []
-    kept = "; ".join(f"input {each} ({_lines(still[each])})" for each in sorted(still))
+def _unmoved(structure: Structure, result: Run) -> list[str]:
+    """Return the lines that command motion and moved no axis, in a run that moved any."""
+    moved = {each.line for each in result.machine.log.moves}
+    lines = sorted(_move_lines(structure) - moved) if moved else []
     verb = "commands" if len(lines) == 1 else "command"
-    text = f"{_lines(lines)} {verb} motion and moved no axis"
-    return [f"{text}; unchanged so far: {kept}" if kept else text]
+    return [f"{_lines(lines)} {verb} motion and moved no axis"] if lines else []
 
 
 def _unused(result: Run) -> list[str]:
