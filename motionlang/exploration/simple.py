@@ -5,7 +5,8 @@ jogs, or takes what a host has written. No state asks for what it needs. Or the 
 
 Idea. The program runs in simple worlds. Other inputs than those of a cycle are off, on, answer when they are asked for,
 or come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
-is worth most, until none is worth more. The channel that a run reads last for the first time may stop it, and is first.
+is worth most, until none is worth more. The channel that a run has read last may stop it, and is first.
+A program measures a part by a level: where it does at one within limits what it does at no other, that one is taken.
 
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
