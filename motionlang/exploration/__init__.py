@@ -58,7 +58,7 @@ from motionlang.exploration.changes import (
 )
 from motionlang.exploration.cycles import MachineCycle, alarms_in, cycles, is_wrong
 from motionlang.exploration.further import goes_further
-from motionlang.exploration.playing import played
+from motionlang.exploration.playing import TIMES, played
 from motionlang.exploration.rests import (
     SHORTEST_REST,
     Rest,
@@ -252,18 +252,14 @@ class Exploration:
         """The run of the last play."""
         return self._explorer.trials.last
 
-    def world_of(self, likeliest: Sequence[MachineCycle]) -> FoundWorld:
-        """Return the world of the first of some cycles that repeats when it is played."""
-        return world_of(self._explorer, likeliest)
+    def world_of(self, likeliest: Sequence[MachineCycle], times: int = TIMES) -> FoundWorld:
+        """Return the world of the first of some cycles that repeats when it is played so often."""
+        return world_of(self._explorer, likeliest, times)
 
     def _unplayed(self, run: Run) -> FoundWorld:
         """Return the changes that led to the likeliest cycle as a world, since nothing is played after Ctrl-C."""
         cycle = next(iter(self.cycles), None) or nowhere(self._explorer)
         return FoundWorld(cycle, tables_of(cycle.visit.timeline), run, 0)
-
-    def world_once(self, cycle: MachineCycle) -> FoundWorld:
-        """Return the world in which a cycle runs once."""
-        return world_of(self._explorer, [cycle], times=1)
 
     def variants(self) -> Iterator[tuple[MachineCycle, Trial]]:
         """Yield the cycles with another key or answer, or number of a host, in place of one that leads to the same.

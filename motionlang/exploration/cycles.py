@@ -88,13 +88,6 @@ class MachineCycle:
         return tuple(each.source for each in self.transitions)
 
     @property
-    def changes(self) -> set[tuple[Channel, object]]:
-        """The channels and values of the changes that lead there and are made in it."""
-        made = [one for _, one in self.visit.timeline]
-        made += [one for each in self.transitions for one in each.causes]
-        return {(each.channel, each.value) for each in made}
-
-    @property
     def begun(self) -> frozenset[int]:
         """The source offsets of the statements that begin in its transitions."""
         return frozenset[int]().union(*(each.begun for each in self.transitions))

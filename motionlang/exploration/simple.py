@@ -92,13 +92,6 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     It is the world of another cycle that carries out what this one does not, or a simple one.
     """
     first = _tried(explorer, found.settings)
-    known = explorer.triggers | {number_in("input", each) for each in entries(first.settings, "input")}
-    for number in explorer.channels if first.is_good and found.cycle.repeats else ():
-        # An input with which more is said is on, such as that of a good part.
-        if number not in known:
-            more = _tried(explorer, _with(first.settings, ("input", number), ON), min(first.times, ENOUGH))
-            if more.is_good and 2 * more.times >= first.times and more.value >= first.value + MORE:
-                first = more
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
     if first.is_good:
         first = _within_limits(explorer, channels, first, least)
@@ -137,29 +130,27 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
-    """Return a good run with a level at which statements begin that begin at no other, or the first one.
+    """Return a good run with levels at which statements begin that begin at no others, or the first one.
 
     The program has measured a part then, and what is within limits is good. Rules of other channels may depend on it.
     """
     for channel in (each for each in channels if each[0] == "analogue"):
-
-        def settings(level: object, channel: Channel = channel) -> Settings:
-            return _with(first.settings, channel, {"value": level, **ON})
-
-        ends = [_tried(explorer, settings(level)) for level in (0.0, ABOVE)]
+        settings = partial(_with, first.settings, channel)
+        ends = [_tried(explorer, settings({"value": level, **ON})) for level in (0.0, ABOVE)]
         usual = ends[0].begun | ends[1].begun
         if not first.begun <= usual:
             continue
         probes = probes_of(channel)
-        trials = [explorer.trials.play_in(settings(each.value), LENGTH) for each in probes]
+        trials = [explorer.trials.play_in(settings({"value": each.value, **ON}), LENGTH) for each in probes]
         for level in (each.value for each in solved(*probes, *trials)):
-            run = _tried(explorer, settings(level))
+            run = _tried(explorer, settings({"value": level, **ON}))
             if not run.begun <= usual:
                 left = [each for each in channels if each != channel]
                 most = explorer.trials.work + explorer.whole
                 run = run if run.is_good else _climbed(explorer, left, run, least, most)
                 if run.is_good and not run.begun <= usual:
-                    return run
+                    first = run
+                    break
     return first
 
 

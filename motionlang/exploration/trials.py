@@ -124,11 +124,6 @@ class Trial(NamedTuple):
         return self.status in ("ended", "fault", "stopped") and not self.is_stuck
 
     @property
-    def begun(self) -> int:
-        """The number of different statements that have begun."""
-        return len([each for each in self.seen if isinstance(each, int)])
-
-    @property
     def motions(self) -> list[TrialMotion]:
         """The moves that have an end of their own."""
         return [each for each in self.moves if each.end < inf]

@@ -21,6 +21,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
 
@@ -90,7 +91,10 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
             break
         trial = _best_played(explorer, cycle, times)
         found = quality(cycle, trial)
-        if best is None or (found > best[0] and cycle.repeats):
+        known = best[1] if best is not None and best[0][0] else cycle
+        # Another cycle may move nothing, or say more of what is wrong.
+        is_worse = (bool(known.work) and not cycle.work) or wrong(cycle.said) > wrong(known.said)
+        if best is None or (found > best[0] and cycle.repeats and not is_worse):
             best = found, cycle, trial
         if found >= wanted or (found[2] >= wanted[2] and faults(cycle, trial) * ENOUGH <= found[2]):
             break
@@ -185,6 +189,7 @@ class _Description:
         self._describe_as_pulses()
         self._describe_writes()
         self._describe_others()
+        self._take(self._released())
         settings = dict(self._settings)
         inputs = settings.pop("input", [])
         settings |= {"input": inputs} if inputs else {}
@@ -339,6 +344,26 @@ class _Description:
             return fsum(leads), output, "value" in each
 
         return sorted(found, key=order)
+
+    def _released(self) -> Iterator[Settings]:
+        """Yield rules with which the run does not end in a wait for an input that is always on to be off.
+
+        It follows the output that was switched last.
+        """
+        result = self._explorer.trials.run_in(self._settings, self._until)[0]
+        scheduler = result.machine.scheduler
+        waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+        stuck = {
+            number for wait in waits if wait is not None and wait.cause == "input" for number in wait.what
+        }
+        latest = dict.fromkeys(each.channel for each in reversed(list(result.machine.log.outputs)))
+        inputs = entries(self._settings, "input")
+        on = [number for number in sorted(stuck) if {"channel": number, **ON} in inputs]
+        for number, output, inverted in product(on, latest, ({}, {"value": 0})):
+            entry: Entry = {"channel": number, "output": output, "delay": DELAY, **inverted}
+            tried = self._with([entry], number)
+            if self._explorer.trials.run_in(tried, self._until)[0].status != "fault":
+                yield tried
 
 
 def _end_of(cycle: MachineCycle, trial: Trial) -> float:

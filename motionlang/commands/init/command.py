@@ -306,7 +306,7 @@ def _write_scenarios(file: str, below: Draft, until: float) -> None:
     folder = scenario_folder(file)
     exploration, count = below.exploration, 0
     for choice in choices(exploration):
-        world = exploration.world_once(choice.cycle)
+        world = exploration.world_of([choice.cycle], times=1)
         found = Draft(exploration, world, exploration.run(world.settings, until), below.given)
         os.makedirs(folder, exist_ok=True)
         path = os.path.join(folder, f"{choice.name}.toml")
