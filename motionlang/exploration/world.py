@@ -110,7 +110,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
 
 
 def _best_played(explorer: Explorer, cycle: MachineCycle, times: int) -> Trial:
-    """Play a cycle; if it does not repeat so, with all inputs as it was found, or with what led on off again."""
+    """Play a cycle; if it does not repeat so, with all inputs as they were when it was found."""
     trial = played(explorer, cycle, times=times)
     enough = min(times, ENOUGH)
     if count(cycle, trial) >= enough or not (cycle.repeats and (cycle.work or cycle.said)):

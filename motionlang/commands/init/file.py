@@ -221,7 +221,7 @@ def _inputs(draft: Draft) -> list[str]:
     found: list[str] = []
     for channel in sorted(read_at.keys() | mine.keys() | given | set(exploration.channels)):
         lines = list(leads.get(channel, read_at.get(channel, {})))
-        found += [f"  # line {line}: {_quoted(program.source.line(line))}" for line in lines[:MAX_LINES]]
+        found += [f"  # line {line}: {quoted(program.source.line(line))}" for line in lines[:MAX_LINES]]
         if channel in mine:
             found += [_guess(each, draft) for each in mine[channel]]
         elif channel in given:
@@ -276,8 +276,8 @@ def _transitions(exploration: Exploration) -> list[Transition]:
 def _unknown(structure: Structure) -> list[str]:
     """Return the comment about lines that read inputs of unknown channels; empty if there are none."""
     lines = dict.fromkeys(line for line, use in structure.inputs() if not use.number.isdecimal())
-    quoted = "".join(f"# line {line}: {_quoted(structure.source.line(line))}\n" for line in lines)
-    return [UNKNOWN.format(lines=quoted)] if quoted else []
+    comments = "".join(f"# line {line}: {quoted(structure.source.line(line))}\n" for line in lines)
+    return [UNKNOWN.format(lines=comments)] if comments else []
 
 
 def _lines(draft: Draft, table: str) -> list[str]:
@@ -355,6 +355,7 @@ def _figure(name: str, result: Run) -> float:
     return float(value) if isinstance(value, (int, float)) else 0.0
 
 
-def _quoted(line: str) -> str:
+def quoted(line: str) -> str:
+    """Return a line of the program as a comment or a note quotes it: without its indentation, and cut if it is long."""
     text = " ".join(line.split())
     return text if len(text) <= MAX_TEXT else f"{text[:MAX_TEXT].rstrip()} …"

@@ -5,10 +5,9 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Collection, Iterable, Iterator
 from itertools import islice
-from textwrap import shorten
 
 from motionlang.commands.init import Draft
-from motionlang.commands.init.file import leading
+from motionlang.commands.init.file import leading, quoted
 from motionlang.commands.map.behaviour import never_run
 from motionlang.commands.map.channels import only_named
 from motionlang.commands.map.program_map import channels_of
@@ -73,20 +72,20 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
 
 
 def _not_reached(structure: Structure, exploration: Exploration) -> Iterator[str]:
-    """Yield what no trial has printed, moved, or told a host, with the condition on the way there."""
+    """Yield what no trial has printed, moved or sent to a host, with the condition on the way there."""
     rows = list(never_run(exploration, structure))
     firsts, begun = [each.first for each in rows], exploration.begun
     for each in structure.statements.values() if rows else ():
         row = rows[max(bisect_right(firsts, each.line) - 1, 0)]
-        tells = any(use.access == WRITE and use.channel in HOST_CHANNELS for use in each.channels)
+        sends = any(use.access == WRITE and use.channel in HOST_CHANNELS for use in each.channels)
         moves = any(use.row.topic == "move" for use in each.axes)
         if (
             row.first <= each.line <= row.last
             and each.at not in begun
-            and (tells or moves or '"' in each.text)
+            and (sends or moves or '"' in each.text)
         ):
             why = f" ({row.why})" if row.why else ""
-            yield f"not reached: line {each.line}, {shorten(each.text, 40, placeholder=' …')}{why}"
+            yield f"not reached: line {each.line}, {quoted(each.text)}{why}"
 
 
 def _stays(exploration: Exploration) -> list[str]:
