@@ -49,11 +49,7 @@ def beside_work(structure: Structure) -> frozenset[int]:
     They blink, regulate or watch. If no task works, none is beside it.
     """
     points, graph = structure.points, structure.graph
-    work = {
-        at
-        for at, each in structure.statements.items()
-        if each.waits not in ("", "time") or any(use.row.topic == "move" for use in each.axes)
-    }
+    work = {at for at, each in structure.statements.items() if each.waits not in ("", "time") or each.moves}
     working: set[int] = set()
     others: set[int] = set()
     for task in structure.tasks():

@@ -33,7 +33,6 @@ from motionlang.exploration.values import is_probe, probes_of, solved
 from motionlang.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
-from motionlang.kernel.lang import WRITE
 
 # So much of the work of an exploration simple worlds may take, less where a good one was found, in so many runs of this
 # length, s.
@@ -235,9 +234,11 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
     # A trial ends early if the program starts moves without time for them.
     is_over = run.status == "until" and run.time < LENGTH
-    works = (times >= (1 if has_ended else least) and not is_over) or not _moving(explorer)
+    statements = explorer.program.structure.statements.values()
+    moving = any(each.moves for each in statements)
+    works = (times >= (1 if has_ended else least) and not is_over) or not moving
     often = 1 if has_ended else ENOUGH
-    share = len(begun) / max(len(explorer.program.structure.statements), 1)
+    share = len(begun) / max(len(statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
     wrongs = fsum(min(count / often, 1.0) for count in faults.values())
@@ -289,23 +290,14 @@ def _missed(explorer: Explorer) -> tuple[bool, bool]:
     statements = explorer.program.structure.statements.items()
     missed = [each for at, each in statements if not each.waits and at not in explorer.trials.seen]
     texts = (text for each in missed for text in _TEXT.findall(each.text))
-    moves = (use.row.topic == "move" for each in missed for use in each.axes)
-    return not all(map(is_wrong, texts)), any(moves)
+    return not all(map(is_wrong, texts)), any(each.moves for each in missed)
 
 
-def _outputs(explorer: Explorer) -> set[str]:
-    """Return the outputs, but for alarms, that the statements of the work write."""
+def _outputs(explorer: Explorer) -> set[int]:
+    """Return the outputs, but for alarms, that the statements of the work switch on."""
     statements = explorer.program.structure.statements.items()
     work = (each for at, each in statements if at not in explorer.beside | explorer.handlers)
-    written = (use for each in work for use in each.channels if use.access == WRITE)
-    alarms = set(map(str, explorer.alarms))
-    return {use.number for use in written if use.channel == "output"} - alarms
-
-
-def _moving(explorer: Explorer) -> set[int]:
-    """Return the source offsets of the statements that command motion."""
-    statements = explorer.program.structure.statements.items()
-    return {at for at, each in statements if any(use.row.topic == "move" for use in each.axes)}
+    return set[int]().union(*(each.outputs for each in work)) - set(explorer.alarms)
 
 
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:

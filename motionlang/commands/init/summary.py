@@ -26,11 +26,7 @@ def first_move(structure: Structure) -> int:
 
 
 def _move_lines(structure: Structure) -> set[int]:
-    return {
-        each.line
-        for each in structure.statements.values()
-        if any(use.row.topic == "move" for use in each.axes)
-    }
+    return {each.line for each in structure.statements.values() if each.moves}
 
 
 def motionless(structure: Structure, result: Run) -> bool:
@@ -78,11 +74,10 @@ def _not_reached(structure: Structure, exploration: Exploration) -> Iterator[str
     for each in structure.statements.values() if rows else ():
         row = rows[max(bisect_right(firsts, each.line) - 1, 0)]
         sends = any(use.access == WRITE and use.channel in HOST_CHANNELS for use in each.channels)
-        moves = any(use.row.topic == "move" for use in each.axes)
         if (
             row.first <= each.line <= row.last
             and each.at not in begun
-            and (sends or moves or '"' in each.text)
+            and (sends or each.moves or '"' in each.text)
         ):
             why = f" ({row.why})" if row.why else ""
             yield f"not reached: line {each.line}, {quoted(each.text)}{why}"
@@ -154,10 +149,5 @@ def _lines(lines: Iterable[int]) -> str:
 
 def _never_on(structure: Structure, result: Run) -> list[int]:
     """Return the outputs that the program switches and that stayed off."""
-    switched = {
-        int(use.number)
-        for each in structure.statements.values()
-        for use in each.channels
-        if use.channel == "output" and use.access == WRITE and use.value != "0" and use.number.isdecimal()
-    }
+    switched = set[int]().union(*(each.outputs for each in structure.statements.values()))
     return sorted(switched - {each.channel for each in result.machine.log.outputs if each.value})

@@ -150,6 +150,17 @@ class Statement:
             if not use.values or use.value(k).text
         ]
 
+    @property
+    def moves(self) -> bool:
+        """True if it commands motion."""
+        return any(use.row.topic == "move" for use in self.axes)
+
+    @property
+    def outputs(self) -> set[int]:
+        """The outputs with a known number that it may switch on."""
+        written = [use for use in self.channels if use.channel == "output" and use.access == WRITE]
+        return {int(use.number) for use in written if use.value != "0" and use.number.isdecimal()}
+
 
 @dataclass(eq=False, slots=True)
 class Unit:

@@ -275,8 +275,7 @@ def _beside(run: Run) -> set[int]:
     owners = program.structure.owners()
     moving = {each.line for each in run.machine.log.moves}
     # A run that waits for ever has no moves, and its lamp blinks all the same.
-    for each in program.structure.statements.values():
-        moving |= {each.line for use in each.axes if use.row.topic == "move"}
+    moving |= {each.line for each in program.structure.statements.values() if each.moves}
     working = {owners.get(line, "") for line in moving}
     by: dict[int, set[str]] = defaultdict(set)
     for switched in run.machine.log.outputs:
