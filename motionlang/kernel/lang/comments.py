@@ -36,7 +36,7 @@ _WORDS = {
     "input": "d?i|i/?p|in(?:p(?:ut)?)?s?x?|din",
     "output": "d?[oq]|o/?p|out(?:p(?:ut)?)?s?x?|dout",
     "channel": "ch(?:an(?:nel)?)?s?",
-    "analogue input": "adc|ai|ain|analog(?:ue)?(?: in(?:put)?s?)?",
+    "analogue input": "adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
     "axis": "ax(?:is|es)?",
     "encoder": "enc(?:oder)?s?",
@@ -55,9 +55,9 @@ _REVERSED = re.compile(
 _UNIT = "(?:mm|s|ms|sec(?:ond)?s?|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A|%)"
 # A number behind a word, two blanks, a sign or one blank, with the sign and the letter behind it: "IN 0 -", "OUT(0) =".
 _ITEM = re.compile(
-    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:]\s))|(?<=\s))(?:{_KIND})(?(starts)[ .:#=(]*|[.:#=(]* ?)"
-    r"|(?P<wide>^\s*|(?<!\s)\s\s+)|(?P<sign>[,;|*]\s*|\.\s)|\s)(?P<number>\d{1,3})"
-    rf"(?:\)?\s*(?P<equal>=)\s*|\)?\s*[-:.|]\s*|\)?\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[A-Za-z])?",
+    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:/]\s))|(?<=\s))(?:{_KIND})(?(starts)[ .:#=(]*|[.:#=(]* ?)"
+    r"|(?P<wide>^\s*|(?<!\s)\s\s+)|(?P<sign>[,;|*]\s*|[./]\s)|\s)(?P<number>\d{1,3})"
+    rf"(?:\)?\s*(?P<equal>=)\s*|\)?\s*(?:[-:|]|\.+)\s*|\)?\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[A-Za-z])?",
     re.IGNORECASE,
 )
 # Where the name ends: at two blanks, a sign, a bracket, a number with a unit, a range, or the value of a number.
@@ -382,7 +382,7 @@ def _certain(items: Sequence[_Item]) -> list[_Item]:
 
 def _name(text: str) -> str:
     end = _END.search(text)
-    name = (text[: end.start()] if end else text).strip(" .*")
+    name = (text[: end.start()] if end else text).strip(" .*").removesuffix(" /")
     if not re.search(r"\w ?[-+]$", name) or (end is not None and text[end.end() :][:1].isdigit()):
         name = name.rstrip(" -")  # "jog -" has its sign
     return name
