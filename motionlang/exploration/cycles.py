@@ -43,9 +43,9 @@ KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
     r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|lost|empty"
-    r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) o(?:ff|ut)|binned|crack|spoil|divert"
-    r"|rework|\bwaste|\bnok\b"
-    r"|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
+    r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)|binned|crack|spoil"
+    r"|divert|rework|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
+    r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
     rf"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))"

@@ -10,7 +10,7 @@ from collections import Counter, defaultdict, deque
 from collections.abc import Collection, Iterator
 from math import inf
 
-from motionlang.exploration.changes import AT_REST, Change, Moment, Timeline, levels_at, made_at
+from motionlang.exploration.changes import AT_REST, Change, Channel, Moment, Timeline, levels_at, made_at
 from motionlang.exploration.cycles import MachineCycle, wrong
 from motionlang.exploration.questions import PERIOD
 from motionlang.exploration.rests import BODY, Rest, RestState
@@ -157,15 +157,21 @@ def _missing(causes: Causes, timeline: Timeline) -> Causes:
 
 def _others(explorer: Explorer, chosen: Transition, timeline: Timeline) -> Causes:
     """Return the changes that give all other inputs the levels with which a transition was found."""
-    wanted = chosen.visit.levels
-    changed = {each.channel for each in chosen.causes}
+    levels = _levels(timeline, inf)
+    wanted = dict.fromkeys(levels, 0.0) | _levels(chosen.visit.timeline, chosen.visit.change_time)
+    left = {*(each.channel for each in chosen.causes), *(("input", each) for each in explorer.triggers)}
     return tuple(
-        Change("input", number, wanted.get(number, 0.0))
-        for number, level in levels_at(timeline, inf).items()
-        if level != wanted.get(number, 0.0)
-        and ("input", number) not in changed
-        and number not in explorer.triggers
+        Change(*channel, level)
+        for channel, level in wanted.items()
+        if level != levels.get(channel, 0.0) and channel not in left
     )
+
+
+def _levels(timeline: Timeline, time: float) -> dict[Channel, float]:
+    """Return the levels of the inputs, analogue ones too, that a timeline has changed by a time."""
+    inputs = {("input", number): level for number, level in levels_at(timeline, time).items()}
+    analogue = ((at, each) for at, each in timeline if each.table == "analogue")
+    return inputs | {each.channel: float(each.value) for at, each in analogue if at <= time}
 
 
 def _again(causes: Causes) -> Causes:

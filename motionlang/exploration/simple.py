@@ -17,6 +17,7 @@ Cost. A share of the work of the exploration, and one run where the world that w
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
@@ -92,8 +93,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     """
     first = _tried(explorer, found.settings)
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
+    first = _within_limits(explorer, channels, first, least)
     if first.is_good:
-        first = _within_limits(explorer, channels, first, least)
         # What comes one by one is over soon.
         often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
@@ -125,15 +126,17 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
             best, world = climbed, other
     if not best.is_good or best.value < first.value + MORE:
         return found
+    best = _within_limits(explorer, channels, best, least)
     return world._replace(settings=best.settings, run=best.run)
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
-    """Return a good run with levels at which statements begin that begin at no others, or the first one.
+    """Return a good run with levels at which statements begin that begin at no others, or the first run.
 
     The program has measured a part then, and what is within limits is good. Rules of other channels may depend on it.
     """
-    for channel in (each for each in channels if each[0] == "analogue"):
+    known = dict.fromkeys((*channels, *first.read))
+    for channel in (each for each in known if each[0] == "analogue" and each not in explorer.given):
         settings = partial(_with, first.settings, channel)
         ends = [_tried(explorer, settings({"value": level, **ON})) for level in (0.0, ABOVE)]
         usual = ends[0].begun | ends[1].begun
@@ -142,7 +145,7 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
         probes = probes_of(channel)
         trials = [explorer.trials.play_in(settings({"value": each.value, **ON}), LENGTH) for each in probes]
         for level in (each.value for each in solved(*probes, *trials)):
-            run = _tried(explorer, settings({"value": level, **ON}))
+            run = _tried(explorer, settings({"value": level, **ON}), least)
             if not run.begun <= usual:
                 left = [each for each in channels if each != channel]
                 most = explorer.trials.work + explorer.whole
@@ -241,7 +244,8 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     share = len(begun) / max(len(statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
-    wrongs = fsum(min(count / often, 1.0) for count in faults.values())
+    # What stops for ever behind what is wrong says it once.
+    wrongs = fsum(1.0 if is_stuck else min(count / often, 1.0) for count in faults.values())
     value -= WRONG * wrongs
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
     value -= ENTRY * fsum(_cost(*each) for each in made)
@@ -301,21 +305,25 @@ def _outputs(explorer: Explorer) -> set[int]:
 
 
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
-    """Return how often a run does each thing, and how often it says what is wrong."""
+    """Return how often a run does each thing, and how often it says what is wrong, as it does beside an alarm."""
     right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
             is_done = move.profile.duration < inf and not move.ended
             right[MOVE if is_done else JOG, move.line] += 1
+    alarms: list[float] = []
     for switched in run.machine.log.outputs:
         if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
             faults[f"output {switched.channel}"] += 1
+            alarms.append(switched.time)
         elif switched.value and switched.at >= 0 and switched.at not in explorer.beside:
             right[OUTPUT, switched.channel] += 1
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
             text = without_figures(plain(each.text))
-            if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
+            last = bisect_right(alarms, each.time + SOON)
+            says_why = last > 0 and each.time - alarms[last - 1] < SOON
+            if says_why or wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
             else:
                 right[SAID, text] += 1

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from math import fsum
+from math import fsum, inf
 
 from motionlang.commands.quantities import CYCLE
 from motionlang.exploration import (
@@ -173,8 +173,10 @@ def ending(result: Run) -> dict[str, object]:
             if each.channel == int(output) and each.value and each.at >= 0
         )
         return {"line": next(lines, 0), "times": times}
-    counts = Counter(each.line for each in log.moves if each.line in cycle.lines)
-    return {"line": min(counts, key=lambda line: (counts[line], line)), "times": times} if counts else {}
+    end = cycle.times[times] if times < len(cycle.times) else inf
+    counts = Counter(each.line for each in log.moves if each.line in cycle.lines and each.start_time < end)
+    rarest = min(counts, key=lambda line: (counts[line], line), default=0)
+    return {"line": rarest, "times": counts[rarest]} if counts else {}
 
 
 def cycle_text(exploration: Exploration, cycle: MachineCycle, seconds: float | None = None) -> str:
