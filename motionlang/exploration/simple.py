@@ -238,8 +238,8 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     # A trial ends early if the program starts moves without time for them.
     is_over = run.status == "until" and run.time < LENGTH
     statements = explorer.program.structure.statements.values()
-    moving = any(each.moves for each in statements)
-    works = (times >= (1 if has_ended else least) and not is_over) or not moving
+    is_still = not any(each.moves for each in statements)
+    works = is_still or (times >= (1 if has_ended else least) and not is_over)
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)

@@ -20,21 +20,15 @@ from motionlang.kernel.tools import count_of
 SHOWN = 5
 
 
-def first_move(structure: Structure) -> int:
-    """Return the first line that commands motion; 0 if there is none."""
-    return min(_move_lines(structure), default=0)
-
-
 def _move_lines(structure: Structure) -> set[int]:
     return {each.line for each in structure.statements.values() if each.moves}
 
 
 def motionless(structure: Structure, result: Run) -> bool:
     """True if no axis moved although the program commands motion."""
-    moves = result.machine.log.moves
-    return bool(first_move(structure)) and all(
-        each.profile is not None and each.profile.duration < SHORTEST_MOVE for each in moves
-    )
+    profiles = [each.profile for each in result.machine.log.moves]
+    short = all(each is not None and each.duration < SHORTEST_MOVE for each in profiles)
+    return bool(_move_lines(structure)) and short
 
 
 def notes(structure: Structure, draft: Draft) -> list[str]:
@@ -62,7 +56,7 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
         found += islice(_not_reached(structure, exploration), SHOWN)
         found.append(f"to find by hand what leads there: motionlang panel {exploration.program.source.name}")
     if motionless(structure, result):
-        found.append(f"no axis moved, and line {first_move(structure)} commands motion")
+        found.append(f"no axis moved, and line {min(_move_lines(structure))} commands motion")
         found += _stays(exploration)
     return found
 
