@@ -7,10 +7,12 @@ adds in a subclass what the operations of its keywords look for in a task.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
 
 from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.change_times import Note
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.loop_log import LoopLog
@@ -143,24 +145,33 @@ class StepTask(Task):
         loop = list(
             zip(range(first, last + 1), steps[first : last + 1], steps.uses[first : last + 1], strict=True)
         )
-        # A test may read a copy of a value, such as that of a key in `k = INKEY`; what follows a wait takes its answer.
-        copies = [
-            step.do
-            for pc, step, uses in loop
-            if step.kind == DO and uses is not None and uses.sets and steps[pc - 1].kind != WAIT
-        ]
+        # A test may read a copy of a value, such as that of a key in `k = INKEY`. What takes the answer of a wait or a
+        # call is none, and neither is what uses that.
+        copies, taken = [], frozenset[int]()
+        for pc, step, uses in loop:
+            if step.kind == DO and step.do is not None and uses is not None and uses.sets:
+                before = steps[pc - 1]
+                is_result = before.kind == WAIT or (before.kind == CALL and before.at == step.at)
+                if is_result or uses.reads & taken:
+                    taken |= uses.sets
+                else:
+                    copies.append(step.do)
         tests = [
             step.do
             for pc, step, _ in loop
-            if (step.kind == BRANCH and step.to > last) or (step.kind == BACK and pc == last)
+            if step.do is not None
+            and ((step.kind == BRANCH and step.to > last) or (step.kind == BACK and pc == last))
         ]
 
         def tested() -> list[bool]:
             values, shared = list(self.values), self.loops_of_all.world.shared
             before = list(shared)
-            results = [each(values) for each in [*copies, *tests] if each is not None]
+            for copy in copies:
+                with suppress(Rejected):  # the program may not come there
+                    copy(values)
+            results = [bool(test(values)) for test in tests]
             shared[:] = before
-            return [bool(each) for each in results[len(copies) :]]
+            return results
 
         return tested
 

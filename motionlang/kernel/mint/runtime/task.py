@@ -176,7 +176,9 @@ def readings(loop: nodes.Node) -> str:
     found = [
         shown(each)
         for each in names
-        if each.row is not None and each.row.kind in ("reading", "setting") and each.row.function != "wait"
+        if each.row is not None
+        and each.row.kind in ("reading", "setting")
+        and "time" not in (each.row.reads, each.row.waits)
     ] or [shown(each) for each in names if each.row is None and shown(each) not in own]
     return " and ".join([*dict.fromkeys(found)][:MAX_NAMED])
 
