@@ -174,9 +174,10 @@ def ending(result: Run) -> dict[str, object]:
         )
         return {"line": next(lines, 0), "times": times}
     end = cycle.times[times] if times < len(cycle.times) else inf
-    counts = Counter(each.line for each in log.moves if each.line in cycle.lines and each.start_time < end)
-    rarest = min(counts, key=lambda line: (counts[line], line), default=0)
-    return {"line": rarest, "times": counts[rarest]} if counts else {}
+    moves = [each for each in log.moves if each.line in cycle.lines and each.start_time < end]
+    counts = Counter((each.line, each.axis) for each in moves)  # as `run.stop` counts them
+    line, axis = min(counts, key=lambda each: (counts[each], each), default=(0, 0))
+    return {"line": line, "times": counts[line, axis]} if counts else {}
 
 
 def cycle_text(exploration: Exploration, cycle: MachineCycle, seconds: float | None = None) -> str:
