@@ -212,7 +212,8 @@ class Explorer:
         """Record a trial; ask more questions if it has found something new."""
         self.tried.add(trial.timeline)
         node.tried[causes] = None
-        states, read, is_news = len(self.nodes), len(node.channels), self.is_news(trial)
+        states, known, is_news = len(self.nodes), node.channels, self.is_news(trial)
+        before = {at: len(channels) for at, channels in node.reads.items()}
         self._seen |= trial.seen
         news, rest = self.arrive(node, visit, causes, trial, is_news)
         further: list[Iterator[Causes]] = []
@@ -220,8 +221,14 @@ class Explorer:
             further.append(questions.pulses(self, node, visit, causes[0], trial))
         if news or is_news or len(self.nodes) > states:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
-        if len(node.channels) > read:
-            further.append(questions.with_more(self, node, visit, causes, node.channels[read:]))
+        # What a condition with one of the changed channels has read for the first time.
+        changed = {each.channel for each in causes}
+        reads = [(read, list(read)[before.get(at, 0) :]) for at, read in node.reads.items()]
+        more = [
+            each for read, new in reads for each in new if each not in known or not changed.isdisjoint(read)
+        ]
+        if more:
+            further.append(questions.with_more(self, node, visit, causes, dict.fromkeys(more)))
         node.left += (Departure(visit, each, len(causes) + 1) for each in further)
 
     def is_news(self, trial: Trial) -> bool:
