@@ -21,7 +21,6 @@ from bisect import bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from itertools import chain
 from math import fsum, inf
 from typing import Any, NamedTuple
 
@@ -124,7 +123,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         climbed = _climbed(explorer, channels, start, least, most)
         if climbed.value > best.value:
             best, world = climbed, other
-    if not best.is_good or best.value < first.value + MORE:
+    if best.is_good < first.is_good or best.value < first.value + MORE:
         return found
     best = _within_limits(explorer, channels, best, least)
     return world._replace(settings=best.settings, run=best.run)
@@ -229,11 +228,11 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
     done = min((count for (kind, _), count in right.items() if kind == MOVE), default=0)
     log = run.machine.log
-    acts = (each.time for some in (log.prints, log.outputs) for each in some)
-    last = max(chain(acts, (each.start_time for each in log.moves)), default=0.0)
+    others = (each.time for some in (log.prints, log.outputs) for each in some)
+    last = max((each.start_time for each in log.moves), default=max(others, default=0.0))  # a lamp may blink
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
     order = sorted(read, key=lambda each: round(read[each])) if is_stuck else list(read)
-    never = is_stuck and not run.has_run_out and done < ENOUGH
+    never = is_stuck and done < ENOUGH
     times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
     # A trial ends early if the program starts moves without time for them.
     is_over = run.status == "until" and run.time < LENGTH

@@ -189,16 +189,15 @@ def _within(low: float, high: float) -> str:
 
 
 def printed_for(trial: Trial, question: str) -> str:
-    """Return what a program has printed since its last answer, but for the echo of answers to the same question.
+    """Return what a program has printed since its last answer, but for the questions: a range in another is its own.
 
     The digits of an echo would continue a range such as `3 to 8`.
     """
-    answered = max(
-        (each.until for each in trial.waits if each.cause == "operator" and each.until < inf), default=0.0
-    )
-    lines = [each.text for each in trial.prints if each.time >= answered]
-    kept = [line for line in lines if not (question and line.startswith(question) and line != question)]
-    return "\n".join((*kept, question))
+    asked = [each for each in trial.waits if each.cause == "operator"]
+    answered = max((each.until for each in asked if each.until < inf), default=0.0)
+    questions = {each.at for each in asked}
+    lines = [each.text for each in trial.prints if each.time >= answered and each.at not in questions]
+    return "\n".join((*lines, question))
 
 
 def _number(change: Change) -> float:
