@@ -20,7 +20,7 @@ import re
 from bisect import bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from functools import partial
+from functools import partial, reduce
 from math import fsum, inf
 from typing import Any, NamedTuple
 
@@ -59,8 +59,8 @@ SOON, PUSH = 0.1, 1.0
 COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
 MARKS, LENGTHS, ALL = 7, 3, 300
-# So many rules of each channel are tried first.
-FIRST = 7
+# So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
+FIRST, PAIRS, REST = 7, 1, 2
 # Levels and numbers that are tried.
 LEVELS, ABOVE, NUMBERS = (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
 
@@ -159,7 +159,7 @@ def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel
     """Yield the settings with another simple rule for one channel, and that channel."""
     first = _tried(explorer, settings)
     for channel in _channels(explorer):
-        yield from ((channel, each) for each in _others(explorer, channel, first))
+        yield from ((channel, each) for each in _others(explorer, [channel], first))
 
 
 def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Settings:
@@ -185,28 +185,44 @@ def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least
     """Return the simple world that is worth most: channels take the best of their rules until none is better.
 
     What the run has read last comes first, since it may be what stops it; then what starts a handler. The first rules
-    of all channels come before the others.
+    of all channels come first, then one for both inputs of a condition, such as two hands, and the others last.
     """
     trials = explorer.trials
     last, enough = trials.count + TRIES, trials.work + GOOD * explorer.whole
-    part, before = slice(FIRST), best.value
+    stage, before = 0, best.value
     while True:
         events = sorted(explorer.triggers | explorer.latches)
         read = [*reversed(best.read), *(("input", each) for each in events)]
-        for channel in (each for each in dict.fromkeys(read) if each in channels):
-            for settings in [*_others(explorer, channel, best)][part]:
+        ones = [(each,) for each in dict.fromkeys(read) if each in channels]
+        for some in _pairs(explorer, channels) if stage == PAIRS else ones:
+            for settings in [*_others(explorer, some, best)][
+                slice(FIRST, None) if stage == REST else slice(FIRST)
+            ]:
                 if trials.work > (min(enough, most) if best.is_good else most) or trials.count > last:
                     return best
                 run = _tried(explorer, settings, least)
                 # What says what is wrong comes no further than what has begun to work.
-                if run.value > best.value and (run.faults <= best.faults or not best.times):
+                is_right = run.is_good or run.faults <= best.faults or not best.times
+                if run.value > best.value and is_right:
                     best = run
             if best.value > before + HALF:
                 break
-        if best.value <= before and part.start:
+        if best.value <= before + HALF and stage == REST:
             return best
-        part = slice(FIRST) if best.value > before else slice(FIRST, None)
+        stage = 0 if best.value > before + HALF else stage + 1
         before = best.value
+
+
+def _pairs(explorer: Explorer, channels: Sequence[Channel]) -> list[tuple[Channel, ...]]:
+    """Return the two inputs of each statement that reads two."""
+    uses = (
+        [use for use in each.channels if use.channel == "input"]
+        for each in explorer.program.structure.statements.values()
+    )
+    found = dict.fromkeys(
+        tuple(sorted({("input", int(use.number)) for use in some if use.number.isdecimal()})) for some in uses
+    )
+    return [each for each in found if len(each) == 2 and set(each) <= set(channels)]
 
 
 def _channels(explorer: Explorer) -> list[Channel]:
@@ -271,7 +287,7 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         often[kind] = max(often[kind], count)
     texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
     said = [repr(text) for each, text in texts.items() if each in faults]
-    if faults.total() > HALF * (often[SAID] or (0 if said else often[MOVE])):
+    if faults.total() > HALF * (often[SAID] or (0 if texts else often[MOVE])):
         words = f"prints {', '.join(said)}"
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
@@ -304,7 +320,7 @@ def _outputs(explorer: Explorer) -> set[int]:
 
 
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
-    """Return how often a run does each thing, and how often it says what is wrong, as it does beside an alarm."""
+    """Return how often a run does each thing, and how often it says what is wrong; it says why beside an alarm."""
     right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
@@ -322,17 +338,18 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
             text = without_figures(plain(each.text))
             last = bisect_right(alarms, each.time + SOON)
             says_why = last > 0 and each.time - alarms[last - 1] < SOON
-            if says_why or wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
+            if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
-            else:
+            elif not says_why:
                 right[SAID, text] += 1
     return right, faults
 
 
-def _others(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Settings]:
-    """Yield the settings of a run with another rule for a channel, the simplest first."""
-    rules = _rules if channel[0] == "input" else _levels
-    yield from (_with(best.settings, channel, rule) for rule in rules(explorer, channel, best.run))
+def _others(explorer: Explorer, channels: Sequence[Channel], best: Tried) -> Iterator[Settings]:
+    """Yield the settings of a run with another rule for some channels, the simplest first."""
+    rules = _rules if channels[0][0] == "input" else _levels
+    for rule in rules(explorer, channels[0], best.run):
+        yield reduce(partial(_with, rule=rule), channels, best.settings)
 
 
 def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
