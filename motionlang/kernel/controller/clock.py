@@ -71,23 +71,11 @@ class Clock:
 
     def advance(self, time: float) -> None:
         """Advance to `time`, running each event due before it at its own time."""
-        heap = self._heap
-        while heap and heap[0][0] <= time:
-            due, _, event = heappop(heap)
-            call = event.call
-            if call is not None:
-                if due > self.now:
-                    self.now = due
-                self.fired += 1
-                call()
-        if time > self.now:
-            self.now = time
-        while heap and heap[0][2].call is None:
-            heappop(heap)
-        self.horizon = heap[0][0] if heap else INFINITY
+        while not self.advance_to_news(time):
+            pass
 
     def advance_to_news(self, end: float) -> bool:
-        """Advance like `advance`, but no further than the first event that wakes a task.
+        """Advance to `end`, but no further than the first event that wakes a task; run each event at its own time.
 
         True if no event woke a task.
         """
@@ -120,15 +108,6 @@ class WatchedClock(Clock):
     def __init__(self, watch: Callable[[float], None]) -> None:
         super().__init__()
         self._watch = watch
-
-    def advance(self, time: float) -> None:
-        """Advance like `Clock.advance`, one time after the other."""
-        while (due := self.horizon) < time:
-            self._watch(due)
-            Clock.advance(self, due)
-        if time > self.now or due == time:
-            self._watch(time)
-        Clock.advance(self, time)
 
     def advance_to_news(self, end: float) -> bool:
         """Advance like `Clock.advance_to_news`, one time after the other."""
