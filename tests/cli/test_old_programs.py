@@ -82,7 +82,7 @@ def saw_feed() -> float:
 
 
 def bag_welder() -> float:
-    return ramp(250, 500, 2500) + 2 * ramp(35, 200, 2000) + 0.25 + 0.08
+    return ramp(250, 500, 2500) + 2 * ramp(35, 200, 2000) + 0.5 + 0.08
 
 
 def coiler() -> float:

@@ -160,24 +160,18 @@ def ending(result: Run) -> dict[str, object]:
     times = min(cycle.count, MAX_CYCLES)
     begun = min(cycle.count, MAX_CYCLES + 1)  # a move begins: the cycles before are whole
     name = CYCLE.fullmatch(cycle.name)
-    line, output, text, _ = (None,) * 4 if name is None else name.groups()
+    line, _, text, _ = (None,) * 4 if name is None else name.groups()
     if text:
         return {"prints": text, "times": times}
     if line:
         return {"line": int(line), "times": begun}
-    log = result.machine.log
-    if output:
-        lines = (
-            result.source.location(each.at)[0]
-            for each in log.outputs
-            if each.channel == int(output) and each.value and each.at >= 0
-        )
-        return {"line": next(lines, 0), "times": times}
-    end = cycle.times[times] if times < len(cycle.times) else inf
-    moves = [each for each in log.moves if each.line in cycle.lines and each.start_time < end]
-    counts = Counter((each.line, each.axis) for each in moves)  # as `run.stop` counts them
-    line, axis = min(counts, key=lambda each: (counts[each], each), default=(0, 0))
-    return {"line": line, "times": counts[line, axis]} if counts else {}
+    return at_last_move(result, cycle.times[times] if times < len(cycle.times) else inf)
+
+
+def at_last_move(result: Run, until: float = inf) -> dict[str, object]:
+    """Return the settings below `run.stop` that end a run with its last move that begins before a time, s."""
+    moves = [(each.line, each.axis) for each in result.machine.log.moves if each.start_time < until]
+    return {"line": moves[-1][0], "times": moves.count(moves[-1])} if moves else {}
 
 
 def cycle_text(exploration: Exploration, cycle: MachineCycle, seconds: float | None = None) -> str:

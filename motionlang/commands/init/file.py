@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 from math import ceil, floor, isclose
 
-from motionlang.commands.init import Choice, Draft, cycle_text, ending
+from motionlang.commands.init import Choice, Draft, at_last_move, cycle_text, ending
 from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenario_text import inline, scenario_text, toml_value
@@ -157,7 +157,7 @@ def also_fitting(target: Target) -> str:
 def path_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:
     """Return the text of a scenario: a way through the menus, on top of the machine file of the draft below."""
     name = os.path.basename(draft.exploration.program.source.name)
-    stop = _stop(draft.run) or (_last(draft.run) if _stop(below.run) else {})
+    stop = _stop(draft.run) or (at_last_move(draft.run) if _stop(below.run) else {})
     settings: dict[str, object] = {"run.until": until}
     settings |= {f"run.stop.{key}": value for key, value in stop.items()}
     for table in HEADS:
@@ -173,12 +173,6 @@ def path_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:
             settings[table] = [{**each, "guess": True} for each in mine]
     expected: list[Entry] = [{"status": "stopped"}] if stop else _expected(draft.run)
     return scenario_text(SCENARIO.format(choices=choice, program=name), settings, expected)
-
-
-def _last(result: Run) -> dict[str, object]:
-    """Return the settings below `run.stop` that end a run with its last move, in place of those of another world."""
-    lines = [each.line for each in result.machine.log.moves]
-    return {"line": lines[-1], "times": lines.count(lines[-1])} if lines else {}
 
 
 def _about(entry: Entry, among: list[Entry]) -> list[Entry]:
