@@ -56,7 +56,7 @@ _WRONG = re.compile(
 STOPPED = re.compile("stopped", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
 _ALARM = re.compile(
-    r"alarm|(?<!de)fault|error|fail|reject|scrap|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
+    r"alarm|(?<!de)fault|error|fail|reject|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
     re.IGNORECASE,
 )
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.

@@ -287,7 +287,8 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         often[kind] = max(often[kind], count)
     texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
     said = [repr(text) for each, text in texts.items() if each in faults]
-    if faults.total() > HALF * (often[SAID] or (0 if texts else often[MOVE])):
+    times = often[MOVE] if run.cycle is None else run.cycle.count
+    if faults.total() > HALF * (often[SAID] or (0 if said else times)):
         words = f"prints {', '.join(said)}"
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
