@@ -35,14 +35,15 @@ WHOLE = 0.4
 # What a person does that only jogs, and work of one line without a rest, may be no work if it neither switches nor
 # prints anything.
 JOGGING = 10.0
-# A cycle that says something, and nothing of what is wrong, makes a piece; the more of it is wrong, the less it counts.
-SAID, WRONG = 2.0, 20.0
+# A cycle that says something in words, and nothing of what is wrong, makes a piece, and the more so if it says what is
+# right; the more of it is wrong, the less it counts.
+SAID, RIGHT, WRONG = 2.0, 0.5, 20.0
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
-    r"\bbad\b|reject|fail|error|\bfault|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|lost|empty"
+    r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|lost|empty"
     r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)|binned|crack|spoil"
     r"|divert|rework|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
     r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
@@ -52,8 +53,9 @@ _WRONG = re.compile(
     rf"|(?:\bnot?|n't)\b(?!\W*(?:\d|{_NAMED}))",
     re.IGNORECASE,
 )
+_RIGHT = re.compile(r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b", re.IGNORECASE)
 # What a program says when it stops, but for its start.
-STOPPED = re.compile("stopped", re.IGNORECASE)
+STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
 _ALARM = re.compile(
     r"alarm|(?<!de)fault|error|fail|reject|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
@@ -273,7 +275,7 @@ def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle
     for work in fastest.values():
         value = MOVE * len(work.done) + PART * len(work.lines - work.done)
         value += OUTPUT * bool(work.outputs) - BEFORE * len(work.timeline)
-        value -= WRONG if wrong(work.said) else -SAID * bool(work.said)
+        value -= WRONG if wrong(work.said) else -_praise(work.said)
         value += WHOLE * len(work.begun) / known.statements - WRONG * bool(work.outputs & known.alarms)
         value -= JOGGING * (len(work.lines) == 1 and not work.outputs and not work.said)
         begin = max((time for time, _ in work.timeline), default=0.0)
@@ -300,6 +302,21 @@ def _said(transitions: Iterable[Transition]) -> list[str]:
 def is_wrong(said: str) -> bool:
     """True if words say that something is wrong, or that the machine has stopped."""
     return bool(wrong([said]) or STOPPED.search(said))
+
+
+def _praise(said: Iterable[str]) -> float:
+    words = list(filter(speaks, said))
+    return SAID * bool(words) + RIGHT * any(map(is_right, words))
+
+
+def speaks(said: str) -> bool:
+    """True if a line has words; a number alone may be the code of a fault."""
+    return any(map(str.isalpha, said))
+
+
+def is_right(said: str) -> bool:
+    """True if words say that something is right."""
+    return bool(_RIGHT.search(said))
 
 
 def wrong(said: Iterable[str]) -> int:
@@ -334,5 +351,5 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= STATE * (not answers)
     said = _said(transitions)
     faults = wrong(said) + (0 if known.stops else len(list(filter(STOPPED.search, said))))
-    value -= WRONG * (1.0 + faults / len(said)) if faults else -SAID * bool(said)
+    value -= WRONG * (1.0 + faults / len(said)) if faults else -_praise(said)
     return value + STATE - SWITCHED * len(outputs)

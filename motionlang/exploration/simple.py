@@ -25,7 +25,7 @@ from math import fsum, inf
 from typing import Any, NamedTuple
 
 from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, number_in
-from motionlang.exploration.cycles import MachineCycle, is_wrong, wrong
+from motionlang.exploration.cycles import RIGHT, MachineCycle, is_right, is_wrong, speaks, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import SHORTEST_MOVE, is_short_move, plain, without_figures
@@ -97,6 +97,13 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         # What comes one by one is over soon.
         often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
+        # Of the two branches of a judgement the one that goes further is right.
+        known = {
+            (table, number_in(table, each)) for table in TABLES for each in entries(first.settings, table)
+        }
+        left = [each for each in first.read if each[0] == "input" and each not in known and each in channels]
+        flipped = [_tried(explorer, _with(first.settings, each, ON), least) for each in left]
+        first = max((first, *flipped), key=lambda each: (each.is_good, each.value))
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     if first.is_good and first.share >= LITTLE:
@@ -139,7 +146,7 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
         settings = partial(_with, first.settings, channel)
         ends = [_tried(explorer, settings({"value": level, **ON})) for level in (0.0, ABOVE)]
         usual = ends[0].begun | ends[1].begun
-        if not first.begun <= usual:
+        if first.is_good and not first.begun <= usual:
             continue
         probes = probes_of(channel)
         trials = [explorer.trials.play_in(settings({"value": each.value, **ON}), LENGTH) for each in probes]
@@ -260,6 +267,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
     # What stops for ever behind what is wrong says it once.
+    value += RIGHT * any(is_right(str(text)) for kind, text in right if kind == SAID)
     wrongs = fsum(1.0 if is_stuck else min(count / often, 1.0) for count in faults.values())
     value -= WRONG * wrongs
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
@@ -341,7 +349,7 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
             says_why = last > 0 and each.time - alarms[last - 1] < SOON
             if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
-            elif not says_why:
+            elif speaks(text) and not says_why:
                 right[SAID, text] += 1
     return right, faults
 
