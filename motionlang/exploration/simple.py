@@ -98,11 +98,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
         # Of the two branches of a judgement the one that goes further is right.
-        known = {
-            (table, number_in(table, each)) for table in TABLES for each in entries(first.settings, table)
-        }
-        left = [each for each in first.read if each[0] == "input" and each not in known and each in channels]
-        flipped = [_tried(explorer, _with(first.settings, each, ON), least) for each in left]
+        off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
+        flipped = [_tried(explorer, _with(first.settings, each, ON), least) for each in off]
         first = max((first, *flipped), key=lambda each: (each.is_good, each.value))
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
