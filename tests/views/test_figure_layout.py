@@ -77,6 +77,21 @@ def test_bands_are_at_least_a_point_wide_and_short_ones_on_top() -> None:
     assert max(xs) - min(xs) == pytest.approx(1.0)
 
 
+def test_the_head_of_an_arrow_is_behind_its_tip() -> None:
+    """An arrow upwards: both corners are 7 · cos 0.4 below the tip, and 7 · sin 0.4 to the left and to the right."""
+    (head,) = (
+        each.paths[0]
+        for each in shapes(
+            replace(LINE, curves=[Curve([5.0, 5.0], [0.0, 5.0], "#010203", marker="arrow")]), "#010203"
+        )
+        if each.fill
+    )
+    (x, y), *corners = head
+    assert [xy for x1, y1 in corners for xy in (x1 - x, y1 - y)] == pytest.approx(
+        [2.726, 6.447, -2.726, 6.447], abs=1e-3
+    )
+
+
 def test_labels_are_the_longest_that_fit_and_do_not_touch() -> None:
     """The third is too short for its name."""
     names = ("MOVER · line 7", "MOVER 7", "7")

@@ -14,6 +14,7 @@ from rich.table import Table
 from rich.text import Text
 from rich.theme import Theme
 
+from motionlang.commands.cover.view import files_table
 from motionlang.views import report
 from motionlang.views.formatting import decimals_of
 from motionlang.views.table import GAP, Column
@@ -117,11 +118,12 @@ def test_four_decimals_suffice_unless_all_values_are_below_a_hundredth(
         (report.events_table([]), ["line", "limit", "value", "motion of line", "times", ""]),
         (report.axes_table([]), ["feedback", "counts", "scale"]),
         (report.motors_table([], False), ["peak output", "line"]),
+        (files_table([]), ["parts", "worlds", "statements", "outcomes", "lines to look at"]),
     ],
 )
 def test_a_narrow_table_drops_the_least_important_column_first(table: Ours, order: list[str]) -> None:
     table.columns = [
-        replace(column, get=lambda row, k=k: f"{k}" * 30, text=str, decimals=None)  # type: ignore[misc]
+        replace(column, get=lambda row, k=k: chr(65 + k) * 30, text=str, decimals=None)  # type: ignore[misc]
         for k, column in enumerate(table.columns)
     ]
     table.rows = [{}]
@@ -129,7 +131,9 @@ def test_a_narrow_table_drops_the_least_important_column_first(table: Ours, orde
     for width in range(200, 0, -1):
         head = table.lines(width * 2)[-1]
         gone = [
-            each.heading for k, each in enumerate(table.columns) if not each.data and f"{k}" * 30 not in head
+            each.heading
+            for k, each in enumerate(table.columns)
+            if not each.data and chr(65 + k) * 30 not in head
         ]
         dropped += [title for title in gone if title not in dropped]
     assert dropped == order

@@ -104,6 +104,31 @@ def test_two_recordings_of_one_machine() -> None:
     assert "80 against 100 uu/s (and 3 more: move at " in remark.message
 
 
+@pytest.mark.parametrize(
+    ("times", "begin", "warning"),
+    [
+        # The first second has two rows of five: those of its end.
+        ("0 0 1 1 1 1 1 2 2 2 2 2", [0.6, 0.8, 1.0], "the clock has whole seconds"),
+        # Of an hour of summer time, rows a second apart show no more than four seconds too much.
+        (
+            "1:59:56 1:59:57 1:59:58 1:59:59 3:00:03 3:00:04 3:00:05 3:00:06 3:00:07 3:00:08 3:00:09 3:00:10",
+            [0.0, 1.0, 2.0, 3.0, 7.0, 8.0],
+            "the clock is put forward by an hour",
+        ),
+        (
+            "1:59:56 1:59:57 1:59:58 1:59:59 3:00:04 3:00:05 3:00:06 3:00:07 3:00:08 3:00:09 3:00:10",
+            [0.0, 1.0, 2.0],
+            "no rows for 3.6e+03 s",
+        ),
+    ],
+)
+def test_the_times_of_rows(times: str, begin: list[float], warning: str) -> None:
+    text = "\n".join(["time,position.0", *(f"{time},{k}" for k, time in enumerate(times.split()))])
+    recording = measured_recording(table_of(Source("rec.csv", text)), ())
+    assert recording.positions[0].times[: len(begin)].tolist() == pytest.approx(begin)
+    assert warning in recording.remarks[0].message
+
+
 def events(*, sparse: bool) -> str:
     """Return the recording with a row only where a level changes, or only the levels that have changed."""
     lines, before = ["time,in1,out1,out2"], ("", "", "")

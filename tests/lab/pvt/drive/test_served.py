@@ -460,6 +460,8 @@ def test_an_expedited_download_may_leave_out_the_size(index: int, value: list[in
 
 
 def test_the_inhibit_time_of_a_pdo_in_use_stays(bus: Bus) -> None:
+    """A master may write the identifier that it has, as one does that downloads all parameters."""
+    assert bus.ask(1, 0x23, 0x00, 0x18, 1, 0x81, 0x01, 0, 0)[0] == 0x60
     assert bus.ask(1, 0x2B, 0x00, 0x18, 3, 0x10, 0)[4:] == (0x08000022).to_bytes(4, "little")
     assert bus.ask(1, 0x2B, 0x01, 0x18, 3, 0x10, 0)[0] == 0x60
 
