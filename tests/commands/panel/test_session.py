@@ -46,6 +46,13 @@ def test_a_program_runs_from_rest_to_rest(tmp_path: Path) -> None:
         assert [words for _, words in hand.record] == ["input 1 on", "input 2 on"]
 
 
+def test_a_move_has_its_start_to_a_millisecond_and_its_line(tmp_path: Path) -> None:
+    """The count to ten takes 0.1 ms at least."""
+    count = "For n = 1 To 10\nNext\n"
+    with operated(tmp_path / "late.mnt", f"WAIT(500)\n{count}MOVER(0) = 20 : GO(0)\nPause INX(1)\n") as hand:
+        assert hand.rests()["moves"] == [[0.5, 0, 4]]
+
+
 def test_a_page_is_never_shown_the_run_before_as_the_present_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

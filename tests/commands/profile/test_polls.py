@@ -160,6 +160,7 @@ CAUSES = {
     "PAUSE for a time": ("PAUSE TIME >= 4000", "dwell", 4.0),
     "input or time": ("While INX(3) = 0 And TIME < 2000\nEnd While", "dwell", 2.0),
     "input before time": ("While INX(3) = 0 And TIME < 9000\nEnd While", "waiting for an input", 3.0),
+    "PAUSE for either": ("PAUSE INX(3) Or TIME >= 9000", "waiting for an input", 3.0),
     "steps": ("For n = 1 To 1000\n  If INX(3) Then Exit For\n  WAIT 5\nNext", "waiting for an input", 3.0),
 }  # fmt: skip
 

@@ -167,6 +167,7 @@ def test_the_signature_of_a_call(character: int, active: int) -> None:
     assert [each["label"] for each in signature["parameters"]] == ["a As Float", "b As Float"]
     assert (found["activeSignature"], found["activeParameter"]) == (0, active)
     assert ask(text, "signatureHelp", position=at(1, 2)) is None
+    assert ask("[axis.1]\n", "signatureHelp", MACHINE, position=at(0, 6)) is None
 
 
 @pytest.mark.parametrize(

@@ -84,6 +84,16 @@ def test_a_new_zero_is_no_step_of_the_command() -> None:
         assert Generator(track, 0.1).shifts(first, until, 20.0) == expected, (first, until)
 
 
+@pytest.mark.parametrize("count", range(4))
+def test_profiles_that_are_dropped_change_no_later_offset(count: int) -> None:
+    starts, profiles = [0.0, 1.0, 2.0, 3.0], [hold(5.0), hold(2.0), hold(8.0), hold(9.0)]
+    track = Track(starts, profiles)
+    generator = Generator(track, 0.1)
+    generator.drop(count)
+    del track.starts[:count], track.profiles[:count]
+    assert [generator.offset(k) for k in range(4 - count)] == [0.0, 3.0, -3.0, -4.0][count:]
+
+
 def test_closing_a_loop_sets_the_offset_from_there_on() -> None:
     track = Track([0.0, 1.0, 2.0], [hold(5.0), hold(2.0), hold(8.0)])
     generator = Generator(track, 0.1)
