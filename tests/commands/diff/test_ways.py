@@ -104,12 +104,13 @@ def test_another_name_of_a_variable_is_no_other_behaviour(cell: Cell) -> None:
 
 
 def test_what_another_terminal_shows_is_compared(cell: Cell) -> None:
+    """Its text has no line."""
     text = 'REM IN 0 part\n#WAIT\nPAUSE INX.0\nTERMINAL = 2\n? "PART 1"\nPAUSE INX.0 = 0\nGOTO WAIT\n'
     cell.write("old.prg", text)
     cell.write("new.prg", text.replace("PART 1", "PART 2"))
     ran = cell("diff", "old.prg", "new.prg", "--explore")
     assert (
-        "start; input 0 (part) on: A '[terminal 2] PART 1' after 0.00 s, B '[terminal 2] PART 2' after 0.00 s"
+        "start; input 0 (part) on: A '[terminal 2] PART 1' after 0.00 s, B '[terminal 2] PART 2' after 0.00 s (in"
         in ran.out
     )
     assert "()" not in ran.out

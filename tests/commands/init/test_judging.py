@@ -6,10 +6,12 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from motionlang.commands.init.recorded.recording import MeasuredRecording
+from motionlang.commands.init.recorded.recording import MeasuredRecording, machine_positions, since
 from motionlang.identification import Digital, LevelChange, rules_of
+from motionlang.identification.positions import Series
 from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell
 from tests.commands.init.recordings import FOLDER, Logger, csv_of, machine_run, world_of
@@ -187,6 +189,41 @@ def test_a_time_that_varies_much_is_a_guess(delays: list[float], is_guess: bool)
     assert rule.entries == ({"channel": 3, "output": 1, "delay": 0.25},)
     assert rule.comments == (f"0.250 s ± 0.0{'40' if is_guess else '01'} (6 changes)",)
     assert rule.is_guess == is_guess
+
+
+def test_an_input_may_follow_two_outputs_equally_well() -> None:
+    causes = tuple(LevelChange(2.0 * k + 1.0 + k % 2, 1 - k % 2, 0.0005) for k in range(6))
+    changes = tuple(each._replace(time=each.time + 0.25) for each in causes)
+    outputs = {number: Digital("", 0, causes) for number in (1, 2)}
+    recording = MeasuredRecording(0.0, 12.0, 0.001, outputs=outputs)
+    first, *_ = rules_of(3, Digital("in3", 0, changes), recording)
+    assert (first.subject, first.others[0]) == ("output 1", "output 2")
+
+
+def test_a_position_is_known_to_the_distance_between_two_rows() -> None:
+    """To and fro at 100 uu/s, with a row each 10 ms; the input is on from 40.5 uu on."""
+    times = np.arange(0.0, 8.0, 0.01)
+    values = 100.0 * np.abs((times + 1.0) % 2.0 - 1.0)
+    levels = (values >= 40.5).astype(int)
+    rows = np.flatnonzero(np.diff(levels)) + 1
+    changes = tuple(LevelChange(float(times[k]), int(levels[k]), 0.005) for k in rows)
+    recording = MeasuredRecording(0.0, 8.0, 0.01, positions={0: Series("", times, values)})
+    first, *_ = rules_of(3, Digital("in3", 0, changes), recording)
+    assert first.subject == "axis 0"
+    assert first.comments == ("40.500 uu ± 1.000 (8 changes)",)
+
+
+def test_a_new_zero_in_motion_is_no_step() -> None:
+    """At 1 uu per row, the third row has the zero."""
+    series = Series("", np.arange(8.0), np.array([50.0, 51.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0]))
+    assert machine_positions(series).values.tolist() == [50.0 + k for k in range(8)]
+
+
+def test_a_change_just_at_the_beginning_is_the_first_level() -> None:
+    """The input is on from the first row on, as in a recording that begins there."""
+    inputs = {3: Digital("in3", 0, (LevelChange(2.0, 1), LevelChange(5.0, 0)))}
+    later = since(MeasuredRecording(0.0, 12.0, inputs=inputs), 2.0)
+    assert later.inputs[3] == Digital("in3", 1, (LevelChange(3.0, 0),))
 
 
 FEED = """\
