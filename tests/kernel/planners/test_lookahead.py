@@ -224,3 +224,14 @@ def test_a_limit_that_comes_too_late_for_the_next_path_brakes_all_the_way() -> N
         assert made is not None
         speeds = [made.velocity(knot) for knot in made.knots]
         assert speeds == sorted(speeds, reverse=True), k
+
+
+@pytest.mark.parametrize("shape", ["trapezoid", "scurve", "parabolic", "sinusoidal"])
+def test_a_path_of_no_length_is_none(shape: str) -> None:
+    """Its limit is higher than the speed that is reached before it."""
+    slow, none, fast = (PathPace(shape, speed, 100.0, 100.0) for speed in (20.0, 30.0, 40.0))
+    made = plan_course([(1.0, slow), (0.0, none), (30.0, fast)], 0.0, 0.0)
+    without = plan_course([(1.0, slow), (30.0, fast)], 0.0, 0.0)
+    assert made is not None
+    assert without is not None
+    assert made.duration == pytest.approx(without.duration)
