@@ -43,7 +43,7 @@ SAID, RIGHT, WRONG = 2.0, 0.5, 20.0
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
-    r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|lost|empty"
+    r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|hangs|lost|empty"
     r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)|binned|crack|spoil"
     r"|divert|rework|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
     r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"

@@ -100,7 +100,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         # Of the two branches of a judgement the one that goes further is right.
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
         flipped = [_tried(explorer, _with(first.settings, each, ON), least) for each in off]
-        first = max((first, *flipped), key=lambda each: (each.is_good, each.value))
+        alike = [each for each in flipped if each.is_good and each.run.status == first.run.status]
+        first = max((first, *alike), key=lambda each: each.value)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     if first.is_good and first.share >= LITTLE:
@@ -298,7 +299,8 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
         return "cuts off its moves at once"
-    if not (often[OUTPUT] or said) and len(_outputs(explorer)) > 1:
+    outputs = _outputs(explorer)
+    if len(outputs) > 1 and not said and not any((OUTPUT, each) in right for each in outputs):
         return "switches no output"
     if often[SAID] or not run.machine.log.moves:
         return ""
