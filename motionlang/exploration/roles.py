@@ -46,13 +46,13 @@ def numbers_that_start(units: Iterable[Unit]) -> set[Channel]:
 def beside_work(structure: Structure) -> frozenset[int]:
     """Return the statements of the tasks beside the work: those that command no motion and wait for nothing but time.
 
-    They blink, regulate or watch. If no task works, none is beside it.
+    They blink, regulate or watch, as timers do. If no task works, none is beside it.
     """
     points, graph = structure.points, structure.graph
     work = {at for at, each in structure.statements.items() if each.waits not in ("", "time") or each.moves}
     working: set[int] = set()
     others: set[int] = set()
-    for task in structure.tasks():
+    for task in (*structure.tasks(), *(unit for unit in structure.units if unit.is_timed)):
         reached = {points[point].at for point in graph.reached(task.entry)}
         (others if reached.isdisjoint(work) else working).update(reached)
     return frozenset(others - working) if working else frozenset()

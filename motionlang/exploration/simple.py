@@ -95,7 +95,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     first = _within_limits(explorer, channels, first, least)
     if first.is_good:
         # What comes one by one is over soon.
-        often = Counter(("input", number_in("input", each)) for each in entries(first.settings, "input"))
+        tables = ((table, each) for table in ("input", "analogue") for each in entries(first.settings, table))
+        often = Counter((table, number_in(table, each)) for table, each in tables)
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
         # Of the two branches of a judgement the one that goes further is right.
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
