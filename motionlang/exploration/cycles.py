@@ -219,8 +219,7 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
         for each in node.transitions:
             if each.target is None:
                 is_choice = any(one.table != "input" for one in each.causes)
-                others = _others(nodes, node, each) if is_choice else ()
-                path = (*chain.from_iterable(others), each)
+                path = (*(_others(node, each) if is_choice else ()), each)
                 lines = dict.fromkeys((*sorted(node.moved), *(line for one in path for line in one.lines)))
                 work, outputs = _work(path) | each.visit.moved, _outputs(path)
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
@@ -229,35 +228,14 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
                 yield MachineCycle(path, each.visit, tuple(lines), work, _done(path), outputs, value)
 
 
-def _others(
-    nodes: Mapping[RestState | None, StateNode], node: StateNode, last: Transition
-) -> Iterator[tuple[Transition, ...]]:
-    """Yield the ways from a state back to it that do what no one before did, but for what ends the run."""
+def _others(node: StateNode, last: Transition) -> Iterator[Transition]:
+    """Yield the transitions back to a state that do what no one before did, but for what ends the run."""
     known = {last.does}
-    for first in node.transitions:
-        if first.visit is not last.visit or first.target is None or not (first.causes and _is_right(first)):
-            continue
-        way = _way_back(nodes, first, node.state)
-        if way and not {each.does for each in way} <= known and any(each.acts for each in way):
-            known |= {each.does for each in way}
-            yield way
-
-
-def _way_back(
-    nodes: Mapping[RestState | None, StateNode], first: Transition, state: RestState | None
-) -> tuple[Transition, ...]:
-    """Return the shortest way back to a state that begins with a transition; none if there is none that is right."""
-    ways: deque[tuple[Transition, ...]] = deque([(first,)])
-    known = {first.target}
-    while ways:
-        way = ways.popleft()
-        if way[-1].target == state:
-            return way
-        for each in nodes[way[-1].target].transitions if len(way) < MAX_LENGTH else ():
-            if each.target is not None and each.target not in known and each.causes and _is_right(each):
-                known.add(each.target)
-                ways.append((*way, each))
-    return ()
+    for each in node.transitions:
+        is_choice = each.causes and each.visit is last.visit and each.target == node.state
+        if is_choice and _is_right(each) and each.acts and each.does not in known:
+            known.add(each.does)
+            yield each
 
 
 def _without_rest(works: Iterable[Work], known: _Known) -> Iterator[MachineCycle]:

@@ -17,7 +17,6 @@ Cost. A share of the work of the exploration, and one run where the world that w
 from __future__ import annotations
 
 import re
-from bisect import bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial, reduce
@@ -101,8 +100,10 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         # Of the two branches of a judgement the one that goes further is right.
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
         flipped = [_tried(explorer, _with(first.settings, each, ON), least) for each in off]
-        alike = [each for each in flipped if each.is_good and each.run.status == first.run.status]
-        first = max((first, *alike), key=lambda each: each.value)
+        first = max(
+            (first, *(each for each in flipped if _judges(explorer, first, each))),
+            key=lambda each: each.value,
+        )
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     if first.is_good and first.share >= LITTLE:
@@ -133,6 +134,16 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         return found
     best = _within_limits(explorer, channels, best, least)
     return world._replace(settings=best.settings, run=best.run)
+
+
+def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
+    """True if two runs that are good take two branches of a judgement, each of which moves or prints."""
+    statements = explorer.program.structure.statements
+    branches = [one.begun - other.begun, other.begun - one.begun]
+    acts = [
+        {at for at in each if statements[at].moves or _TEXT.search(statements[at].text)} for each in branches
+    ]
+    return other.is_good and all(acts) and one.run.status == other.run.status
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
@@ -303,7 +314,7 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     outputs = _outputs(explorer)
     if len(outputs) > 1 and not said and not any((OUTPUT, each) in right for each in outputs):
         return "switches no output"
-    if often[SAID] or not run.machine.log.moves:
+    if texts or not run.machine.log.moves:
         return ""
     is_silent, is_still = _missed(explorer)
     if is_silent and run.status != "ended":
@@ -329,27 +340,23 @@ def _outputs(explorer: Explorer) -> set[int]:
 
 
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
-    """Return how often a run does each thing, and how often it says what is wrong; it says why beside an alarm."""
+    """Return how often a run does each thing, and how often it says what is wrong."""
     right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
             is_done = move.profile.duration < inf and not move.ended
             right[MOVE if is_done else JOG, move.line] += 1
-    alarms: list[float] = []
     for switched in run.machine.log.outputs:
         if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
             faults[f"output {switched.channel}"] += 1
-            alarms.append(switched.time)
         elif switched.value and switched.at >= 0 and switched.at not in explorer.beside:
             right[OUTPUT, switched.channel] += 1
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
             text = without_figures(plain(each.text))
-            last = bisect_right(alarms, each.time + SOON)
-            says_why = last > 0 and each.time - alarms[last - 1] < SOON
             if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
-            elif speaks(text) and not says_why:
+            elif speaks(text):
                 right[SAID, text] += 1
     return right, faults
 

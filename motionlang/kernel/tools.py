@@ -156,6 +156,12 @@ def count_of(number: int, noun: str, plural: str = "") -> str:
     return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
 
 
+def numbered(noun: str, numbers: Iterable[int]) -> str:
+    """Return numbers with their noun, such as "line 3" or "lines 3, 5"."""
+    found = sorted(numbers)
+    return f"{noun}{'s' * (len(found) > 1)} {', '.join(map(str, found))}"
+
+
 def ranges(numbers: Iterable[int]) -> str:
     """Return numbers as text, with ranges: "3, 5-7"."""
     found: list[list[int]] = []

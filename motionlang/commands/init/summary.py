@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterator
 from itertools import islice
 
 from motionlang.commands.init import Draft
@@ -14,7 +14,7 @@ from motionlang.commands.map.program_map import channels_of
 from motionlang.exploration import SHORTEST_MOVE, Change, Exploration, StateNode, is_probe
 from motionlang.kernel import Run
 from motionlang.kernel.lang import HOST_CHANNELS, WRITE, Structure, names_in_comments
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import count_of, numbered
 
 # So much of what was not reached is shown.
 SHOWN = 5
@@ -36,17 +36,13 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     result, exploration = draft.run, draft.exploration
     guessed = sorted({int(str(each["channel"])) for each in draft.entries("input")})
     leads = leading(exploration)
-    found = [f"input {each} leads on from {_lines(leads[each])}" for each in guessed if each in leads]
+    found = [
+        f"input {each} leads on from {numbered('line', leads[each])}" for each in guessed if each in leads
+    ]
     never = _never_on(structure, result)
     if never:
-        plural = len(never) > 1
-        numbers = ", ".join(map(str, never))
-        found.append(
-            f"output{'s' if plural else ''} {numbers} {'were' if plural else 'was'} never switched on"
-        )
-    cycle = result.cycle
-    if cycle is not None:
-        found.append(f"cycle: {cycle}")
+        found.append(f"{numbered('output', never)} {'were' if len(never) > 1 else 'was'} never switched on")
+    found += [f"cycle: {result.cycle}"] if result.cycle is not None else []
     found += _unmoved(structure, result)
     found += _unused(result)
     if not exploration.is_whole:
@@ -89,7 +85,7 @@ def _stays(exploration: Exploration) -> list[str]:
         reads = exploration.reads(node.state)
         if node.first.question is not None:
             reads.append(f"an answer to {node.first.question!r}")
-        text = f"waits in {_lines(lines)}" + (f" for {' or '.join(reads)}" if reads else "")
+        text = f"waits in {numbered('line', lines)}" + (f" for {' or '.join(reads)}" if reads else "")
         tried = _tried(node, reads)
         found.append(f"{text}; tried {tried}" if tried else text)
     return found
@@ -122,7 +118,7 @@ def _unmoved(structure: Structure, result: Run) -> list[str]:
     moved = {each.line for each in result.machine.log.moves}
     lines = sorted(_move_lines(structure) - moved) if moved else []
     verb = "commands" if len(lines) == 1 else "command"
-    return [f"{_lines(lines)} {verb} motion and moved no axis"] if lines else []
+    return [f"{numbered('line', lines)} {verb} motion and moved no axis"] if lines else []
 
 
 def _unused(result: Run) -> list[str]:
@@ -134,11 +130,6 @@ def _unused(result: Run) -> list[str]:
             names_in_comments(result.source, result.dialect), channels_of(program, result.dialect)
         )
     ]
-
-
-def _lines(lines: Iterable[int]) -> str:
-    numbers = sorted(lines)
-    return f"{'line' if len(numbers) == 1 else 'lines'} {', '.join(map(str, numbers))}"
 
 
 def _never_on(structure: Structure, result: Run) -> list[int]:

@@ -33,6 +33,7 @@ from motionlang.commands.init.recorded.recording import MeasuredRecording
 from motionlang.identification.positions import Series
 from motionlang.kernel import Run
 from motionlang.kernel.log import LoggedMove
+from motionlang.kernel.tools import numbered
 
 # An axis rests if it does not move for so long, s; it moves by at least so many standard deviations of the noise.
 REST, AT_REST = 0.08, 6.0
@@ -190,8 +191,8 @@ def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
         name = usual_factor(scale, run.controller.axes[axis].scale.counts, "position")
         if abs(scale - 1.0) > SPEED and (name or abs(travel - speed) < SPEED * speed):
             yield (
-                f"axis {axis}, {_lines(strokes)}: {path.column} moves {scale:.4g} times as far as the run"
-                f"{name and f' ({name})'}: "
+                f"axis {axis}, {numbered('line', {each.line for each in strokes})}: "
+                f"{path.column} moves {scale:.4g} times as far as the run{name and f' ({name})'}: "
                 f"if its unit differs, give --map position.{axis}={path.column}*{1.0 / scale:.6g}"
             )
             continue
@@ -209,7 +210,7 @@ def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
         if len(slow) >= MIN_STROKES and len(slow) > len(same) / 2:
             worst = min(slow, key=lambda each: each.theirs[1] / each.mine[1])
             yield (
-                f"axis {axis}, {_lines([worst])}: {worst.theirs[1]:.4g} uu/s recorded, {worst.mine[1]:.4g} uu/s run: "
+                f"axis {axis}, line {worst.line}: {worst.theirs[1]:.4g} uu/s recorded, {worst.mine[1]:.4g} uu/s run: "
                 "the drive does not reach its speed"
             )
 
@@ -229,11 +230,6 @@ def _lags(run: Run, recording: MeasuredRecording, strokes: Sequence[_Stroke]) ->
         if at >= 0 and not any(wait.since < mine and wait.until > outputs[at][0] for wait in waits):
             lags.append(theirs - outputs[at][1] - (mine - outputs[at][0]))
     return lags
-
-
-def _lines(strokes: Sequence[_Stroke]) -> str:
-    lines = sorted({each.line for each in strokes})
-    return f"line{'s' * (len(lines) > 1)} {', '.join(map(str, lines))}"
 
 
 def stroke_clock(run: Run, recording: MeasuredRecording) -> float | None:
