@@ -21,7 +21,7 @@ PARTS = 4
 SLOW = (
     "bank", "cleaning", "crank", "ends", "feeder_marks", "flood", "flow", "handover", "hands", "helper", "host", "jog",
     "labeller", "limits", "mark", "mask", "order", "palms", "press", "ready", "robot", "selector", "spin", "stages",
-    "table", "teeth", "turntable", "weigher", "winder",
+    "table", "teeth", "third", "together", "turntable", "weigher", "winder",
 )  # fmt: skip
 
 
