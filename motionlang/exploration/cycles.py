@@ -45,7 +45,7 @@ KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 _NAMED = (
     r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|hangs|lost|empty"
     r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)|binned|crack|spoil"
-    r"|divert|rework|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
+    r"|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
     r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
 _WRONG = re.compile(
