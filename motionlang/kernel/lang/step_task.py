@@ -7,7 +7,6 @@ adds in a subclass what the operations of its keywords look for in a task.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -17,6 +16,7 @@ from motionlang.kernel.lang.change_times import Note
 from motionlang.kernel.lang.debugging import Hook
 from motionlang.kernel.lang.loop_log import LoopLog
 from motionlang.kernel.lang.loops import Loops, LoopState
+from motionlang.kernel.lang.run_errors import NotSimulated
 from motionlang.kernel.lang.steps import (
     BACK,
     BEGIN,
@@ -166,12 +166,14 @@ class StepTask(Task):
         def tested() -> list[bool]:
             values, shared = list(self.values), self.loops_of_all.world.shared
             before = list(shared)
-            for copy in copies:
-                with suppress(Rejected):  # the program may not come there
-                    copy(values)
-            results = [bool(test(values)) for test in tests]
+            results: list[object] = []
+            for do in (*copies, *tests):
+                try:
+                    results.append(do(values))
+                except (Rejected, NotSimulated, ArithmeticError):  # the program may not come there
+                    results.append(False)
             shared[:] = before
-            return results
+            return [bool(each) for each in results[len(copies) :]]
 
         return tested
 
