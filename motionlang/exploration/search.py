@@ -221,7 +221,7 @@ class Explorer:
             further.append(questions.pulses(self, node, visit, causes[0], trial))
         if news or is_news or len(self.nodes) > states:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
-        # What a condition with one of the changed channels has read for the first time.
+        # What is read for the first time here, or by a condition with one of the changed channels.
         changed = {each.channel for each in causes}
         reads = [(read, list(read)[before.get(at, 0) :]) for at, read in node.reads.items()]
         more = [

@@ -7,11 +7,13 @@ Idea. The program runs in simple worlds. Other inputs than those of a cycle are 
 or come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
 is worth most, until none is worth more. The channel that a run has read last may stop it, and is first.
 A program measures a part by a level: where it does at one within limits what it does at no other, that one is taken.
+It judges a part by an input: where a run does something else with it on, the branch is taken that is worth more.
 
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
 
-Cost. A share of the work of the exploration, and one run where the world that was found is a good one.
+Cost. A share of the work of the exploration; where the world that was found is a good one, a run for each input that is
+off, and some for each level.
 """
 
 from __future__ import annotations
@@ -137,13 +139,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
 
 
 def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
-    """True if two runs that are good take two branches of a judgement, each of which moves or prints."""
-    statements = explorer.program.structure.statements
-    branches = [one.begun - other.begun, other.begun - one.begun]
-    acts = [
-        {at for at in each if statements[at].moves or _TEXT.search(statements[at].text)} for each in branches
-    ]
-    return other.is_good and all(acts) and one.run.status == other.run.status
+    """True if two runs take two branches of a judgement: each does something that the other does not, and is good."""
+    mine, others = (_acts(explorer, each.run)[0].keys() for each in (one, other))
+    return other.is_good and bool(mine - others and others - mine) and one.run.status == other.run.status
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
@@ -270,14 +268,14 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     # A trial ends early if the program starts moves without time for them.
     is_over = run.status == "until" and run.time < LENGTH
     statements = explorer.program.structure.statements.values()
-    is_still = not any(each.moves for each in statements)
-    works = is_still or (times >= (1 if has_ended else least) and not is_over)
+    is_motionless = not any(each.moves for each in statements)
+    works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(statements), 1)
     value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
-    # What stops for ever behind what is wrong says it once.
     value += RIGHT * any(is_right(str(text)) for kind, text in right if kind == SAID)
+    # What stops for ever behind what is wrong says it once.
     wrongs = fsum(1.0 if is_stuck else min(count / often, 1.0) for count in faults.values())
     value -= WRONG * wrongs
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
@@ -334,8 +332,8 @@ def _missed(explorer: Explorer) -> tuple[bool, bool]:
 
 def _outputs(explorer: Explorer) -> set[int]:
     """Return the outputs, but for alarms, that the statements of the work switch on."""
-    statements = explorer.program.structure.statements.items()
-    work = (each for at, each in statements if at not in explorer.beside | explorer.handlers)
+    statements, others = explorer.program.structure.statements.items(), explorer.beside | explorer.handlers
+    work = (each for at, each in statements if at not in others)
     return set[int]().union(*(each.outputs for each in work)) - set(explorer.alarms)
 
 

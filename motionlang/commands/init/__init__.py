@@ -150,7 +150,7 @@ def _is_within(way: tuple[Change, ...], other: tuple[Change, ...]) -> bool:
 def ending(result: Run) -> dict[str, object]:
     """Return the settings below `run.stop` that end a run of a program without an end; empty if it has one.
 
-    It ends after some cycles, by what happens once in each, or where the program asks for a line and no answer is left.
+    It ends after some cycles, by what happens once in each or by a move, or where the program asks for one more answer.
     """
     if asks(result):
         return {"event": "input"}
