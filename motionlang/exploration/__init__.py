@@ -38,7 +38,7 @@ ends the exploration.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
 from typing import NamedTuple
@@ -70,7 +70,7 @@ from motionlang.exploration.rests import (
 from motionlang.exploration.search import MAX_WORK, Explorer
 from motionlang.exploration.simple import LENGTH, better_world, fault_of, neighbours
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
-from motionlang.exploration.switches import FoundSwitches
+from motionlang.exploration.switches import TURNING, FoundSwitches, encoder_entry
 from motionlang.exploration.trials import (
     HORIZON,
     SEARCH,
@@ -186,14 +186,13 @@ class Exploration:
     @property
     def missed(self) -> list[int]:
         """The lines with a statement that no trial has carried out."""
-        statements, begun = self.program.structure.statements, self.begun
-        return sorted(
-            {
-                each.line
-                for at, each in statements.items()
-                if not (each.is_silent or each.select >= 0 or at in begun)
-            }
-        )
+        return self.without(self.begun)
+
+    def without(self, begun: Collection[int]) -> list[int]:
+        """Return the lines with a statement that is not among those that have begun, by their source offsets."""
+        statements = self.program.structure.statements
+        offsets = (at for at in self.program.offsets if at in statements and at not in begun)
+        return sorted({statements[at].line for at in offsets if not statements[at].is_silent})
 
     @property
     def _decides(self) -> object:
@@ -239,6 +238,21 @@ class Exploration:
         """Play the changes of a timeline from power-up for `patience`, s; record what the tasks do from a time on."""
         trial = self._explorer.trials.play(timeline, since, patience=patience)
         return PlayedTimeline(trial, self._explorer.trials.last, self._explorer.rests(trial))
+
+    def play_in(self, settings: Mapping[str, object], until: float) -> PlayedTimeline:
+        """Play the program in the world with some entries of a machine file, up to a time, s."""
+        trial = self._explorer.trials.play_in(settings, until)
+        return PlayedTimeline(trial, self._explorer.trials.last, self._explorer.rests(trial))
+
+    def turning(self) -> dict[str, object]:
+        """Return the settings in which each encoder that the last play has used turns, at a speed of its own."""
+        channels = enumerate(sorted(self.last.controller.encoders), 1)
+        made = [{**encoder_entry(each), "velocity": TURNING * k} for k, each in channels]
+        return {"encoder": made} if made and "encoder" not in self.settings else {}
+
+    def observe(self) -> None:
+        """Let all later plays record how conditions come out."""
+        self._explorer.trials.observe()
 
     def turns(self, cycle: MachineCycle, times: int) -> Trial:
         """Play a cycle so many times, each change at the state that it leads on from."""

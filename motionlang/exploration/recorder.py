@@ -8,8 +8,8 @@ from math import inf
 from typing import Any, NamedTuple
 
 from motionlang.exploration.changes import Channel
-from motionlang.kernel import Hook, Machine, Task
-from motionlang.kernel.lang import Snapshot
+from motionlang.kernel import Hook, Machine, Steps, Task
+from motionlang.kernel.lang import Snapshot, Values, conditions
 
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move. A run
 # that is not recorded ends if this holds for the larger number.
@@ -47,6 +47,8 @@ class ReadSpan(NamedTuple):
 Comparison = tuple[int, int]
 # The source offset of a statement that began, or a comparison with 1 if the left side was the larger one, 0 or -1.
 Seen = int | tuple[int, int, int]
+# How a condition came out: the source offset of its statement, its number there, and whether it was true.
+Outcome = tuple[int, int, bool]
 # The channels that statements have read, as table and number, with the spans in which they did so.
 Readings = Mapping[int, Mapping[Channel, Sequence[ReadSpan]]]
 
@@ -73,6 +75,9 @@ class TrialRecorder(Hook):
         # True once the user's time is up, which also ends a run.
         self._is_cut = is_cut
         self._at = -1
+        # The statements that began before the snapshot, and how conditions came out in all that was played.
+        self.before: set[int] = set()
+        self.outcomes: set[Outcome] = set()
         self.begin(since, snapshot_at)
 
     def begin(self, since: float, snapshot_at: float) -> None:
@@ -110,6 +115,27 @@ class TrialRecorder(Hook):
         # The calls of the last statement of each task: how many, the innermost one, and their offsets.
         self._callers: dict[str, tuple[int, object, tuple[int, ...]]] = {}
 
+    def written(self, steps: Steps) -> None:
+        """Let the conditions among some steps record how they come out; for a run that it observes."""
+        for pc, number in conditions(steps):
+            step = steps[pc]
+            assert step.do is not None
+            steps[pc] = step._replace(do=self._recorded(step.do, step.at, number))
+
+    def _recorded(self, test: Callable[[Values], Any], at: int, number: int) -> Callable[[Values], Any]:
+        def decide(values: Values) -> Any:
+            holds = test(values)
+            self.outcomes.add((at, number, bool(holds)))
+            return holds
+
+        return decide
+
+    def skipped(self, first: object, end: object, times: int) -> None:
+        """Iterations that are skipped bring nothing new."""
+
+    def failed(self, task: object) -> None:
+        """A statement that fails has begun."""
+
     def attach(self, machine: Machine) -> None:
         """Watch a run that is about to begin on a machine."""
         self._machine = machine
@@ -125,6 +151,7 @@ class TrialRecorder(Hook):
         assert self._machine is not None
         if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
             self.snapshot = Snapshot(self._machine.scheduler), self._at
+            self.before.update(each for each in self.seen if isinstance(each, int))
 
     def go_back(self) -> bool:
         """Put the snapshot back and begin another record; False if the program ended before."""

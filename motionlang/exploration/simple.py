@@ -171,10 +171,10 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
 
 
 def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
-    """Yield the settings with another simple rule for one channel, and that channel."""
-    first = _tried(explorer, settings)
-    for channel in _channels(explorer):
-        yield from ((channel, each) for each in _others(explorer, [channel], first))
+    """Yield the settings with another simple rule for one channel, or for both inputs of a statement, and the first."""
+    first, channels = _tried(explorer, settings), _channels(explorer)
+    for some in [*((each,) for each in channels), *_pairs(explorer, channels)]:
+        yield from ((some[0], each) for each in _others(explorer, some, first))
 
 
 def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Settings:

@@ -68,11 +68,9 @@ class FoundSwitches:
         assert result.program is not None
         found = result.program.structure.waits.at(at)
         read = sorted(number or 0 for kind, number in (found.leaves if found else ()) if kind == "encoder")
-        auxiliary = [AUXILIARY + each in result.controller.encoders for each in read]
-        new: list[Entry] = [
-            {"aux" if is_aux else "channel": each, "velocity": TURNING}
-            for each, is_aux in zip(read, auxiliary, strict=True)
-        ]
+        used = result.controller.encoders
+        channels = (AUXILIARY + each if AUXILIARY + each in used else each for each in read)
+        new: list[Entry] = [{**encoder_entry(each), "velocity": TURNING} for each in channels]
         new = [each for each in new if each not in self.encoders and "encoder" not in self._given]
         self.encoders = [*self.encoders, *new]
         return bool(new)
@@ -96,6 +94,11 @@ class FoundSwitches:
             keys["index_every"] = _rounded(abs(ahead) / 5)
             return True
         return False
+
+
+def encoder_entry(channel: int) -> Entry:
+    """Return the keys of an entry that name an encoder of the controller."""
+    return {"aux": channel - AUXILIARY} if channel >= AUXILIARY else {"channel": channel}
 
 
 def _rounded(value: float) -> float:

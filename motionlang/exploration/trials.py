@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from motionlang.exploration.changes import Channel, Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
-from motionlang.exploration.recorder import Begun, Comparison, Readings, Seen, TrialRecorder
+from motionlang.exploration.recorder import Begun, Comparison, Outcome, Readings, Seen, TrialRecorder
 from motionlang.exploration.roles import written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
@@ -89,6 +89,7 @@ class Trial(NamedTuple):
     `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
     for which it has no answer. `waits` are in the order of their ends; those that go on end at infinity. `outputs` and,
     as the `TrialRecorder` has them, `statements`, `comparisons`, `readings` and `seen` are those from `since` on.
+    `begun` are the statements that began at any time, `outcomes` those of conditions if they are observed.
     """
 
     timeline: Timeline
@@ -108,6 +109,8 @@ class Trial(NamedTuple):
     readings: Readings
     memory: Sequence[tuple[float, tuple[object, ...]]]
     seen: Set[Seen]
+    begun: Set[int]
+    outcomes: Set[Outcome]
 
     def part(self, since: float, until: float) -> Trial:
         """Return the trial with only the moves, outputs and prints between two times."""
@@ -181,6 +184,8 @@ class Trials:
         self.last: Run
         # What any trial has seen.
         self.seen: set[Seen] = set()
+        # True if trials record how conditions come out.
+        self.observes = False
         # Where the last trial started, if not at power-up.
         self._start: Start | None = None
 
@@ -194,6 +199,10 @@ class Trials:
 
     def _recorder(self, since: float, snapshot_at: float = inf) -> TrialRecorder:
         return TrialRecorder(self.memory.all, self._written, since, snapshot_at, self._is_cut)
+
+    def observe(self) -> None:
+        """Let all later trials record how conditions come out."""
+        self.observes, self._start = True, None
 
     def give(self, settings: Mapping[str, object]) -> None:
         """Add settings for all later trials."""
@@ -272,8 +281,16 @@ class Trials:
 
     def _run(self, tables: Mapping[str, object], until: float | None, recorder: TrialRecorder) -> Run:
         settings = CheckedSettings(merged(self.base, tables))
+        observer = recorder if self.observes else None
         return self._noted(
-            run(self.program, machine=settings, until=until, hook=recorder, begun=recorder.attach)
+            run(
+                self.program,
+                machine=settings,
+                until=until,
+                hook=recorder,
+                observer=observer,
+                begun=recorder.attach,
+            )
         )
 
     def _run_on(self, machine: Machine, until: float) -> Run:
@@ -340,6 +357,8 @@ def _trial(
         recorder.readings,
         recorder.memory,
         recorder.seen,
+        recorder.before | {each for each in recorder.seen if isinstance(each, int)},
+        set(recorder.outcomes),
     )
 
 

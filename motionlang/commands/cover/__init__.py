@@ -11,11 +11,11 @@ from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
-from motionlang.commands.cover.worlds import BEGINS, CutOff, Event, Worlds, conditions
+from motionlang.commands.cover.worlds import BEGINS, CutOff, Event, Worlds
 from motionlang.commands.map.units import Reachability
 from motionlang.commands.scenarios import Scenario, scenario_files
 from motionlang.kernel import Dialect, Source, dialect_for, settings_next_to
-from motionlang.kernel.lang import Step, Structure, Values
+from motionlang.kernel.lang import Step, Structure, Values, conditions
 
 
 @dataclass

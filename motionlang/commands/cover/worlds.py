@@ -7,12 +7,12 @@ those that it suggests.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from motionlang.kernel import CheckedSettings, Dialect, Hook, Machine, Program, Run, Steps, Task, run
-from motionlang.kernel.lang import BACK, BRANCH, Step, Values
+from motionlang.kernel.lang import Values, conditions
 
 # An event of a run: the offset of a statement that begins, or of a condition with its number there and its outcome.
 Event = tuple[int, int, bool]
@@ -121,14 +121,3 @@ class Counts(Hook):
             return holds
 
         return decide
-
-
-def conditions(steps: Iterable[Step]) -> list[tuple[int, int]]:
-    """Return the index of each step that tests a condition, and its number among those of its statement."""
-    numbers: Counter[int] = Counter()
-    found = []
-    for pc, step in enumerate(steps):
-        if step.kind == BRANCH or (step.kind == BACK and step.do is not None):
-            found.append((pc, numbers[step.at]))
-            numbers[step.at] += 1
-    return found

@@ -7,8 +7,9 @@ off in the same manner.
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
 
@@ -25,16 +26,21 @@ TAIL = 0.1
 SLOWER = 0.02
 # Positions and speeds have so many digits in a comparison.
 DIGITS = 6
+# The end of a way is no difference: what one side lacks there must be this many times overdue.
+OVERDUE = 2.0
 # Acts are in another order if they are no further apart than so many.
 ORDER = 4
 # The name of the handlers of a program in place of a task.
 HANDLERS = "handler"
+# A terminal puts the next letters at a row and column.
+_PLACES = re.compile(r"\x1b\[(\d+);(\d+)H")
 
 
 class ComparedAct(NamedTuple):
     """An act: its times, s, its line, 0 if it is unknown, its subject, "" for a printed line, and words.
 
-    `exact` says how a move was cut off. Its `target` is in counts, None if it has none; so is its `speed`.
+    `exact` says how a move was cut off. Its `target` is in counts, None if it has none; so is its `speed`. `place` has
+    the rows and columns of a text on a display.
     """
 
     begin: float
@@ -45,6 +51,7 @@ class ComparedAct(NamedTuple):
     exact: tuple[object, ...] = ()
     target: float | None = None
     speed: float = 0.0
+    place: str = ""
 
     def __str__(self) -> str:
         return f"{self.subject} {self.words}".strip() if self.subject else f"'{self.words}'"
@@ -53,7 +60,7 @@ class ComparedAct(NamedTuple):
     def key(self) -> tuple[object, ...]:
         """The part that two equal acts share; it leaves out where a move is cut off, which depends on a time."""
         if not self.exact:
-            return self.subject, self.words
+            return self.subject, self.words, self.place
         return self.subject, self.exact, None if self.is_cut else self.target, self.speed
 
     @property
@@ -77,7 +84,9 @@ class PlayedWay(NamedTuple):
 
     `until` is how long it is known what it does: for ever if it ended, or if nothing could change any more. `status` is
     "waits", "ended", or the code of the error with which it ended. `places` are where the axes rest at the end, by
-    number, in counts and user units. `stays` are the times of the rests of the machine.
+    number, in counts and user units. `stays` are the times of the rests of the machine, `changed` is when the world
+    changed last. `begun` are the source offsets
+    of the statements that began, `outcomes` those of the conditions that came out, with their numbers and how.
     """
 
     acts: Mapping[str, Sequence[ComparedAct]]
@@ -86,6 +95,9 @@ class PlayedWay(NamedTuple):
     until: float
     places: Mapping[int, tuple[float, float]]
     stays: Sequence[tuple[float, float]]
+    changed: float
+    begun: Set[int]
+    outcomes: Set[tuple[int, int, bool]]
 
     @property
     def is_at_rest(self) -> bool:
@@ -114,7 +126,10 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
     }
     until = inf if trial.is_stuck or trial.has_ended else run.time
     stays = [(each.begin, each.end) for each in played.rests]
-    return PlayedWay(dict(acts), status, run.time, until, places, stays)
+    changed = max(
+        (each.levels(at)[-1][0] if each.moment.every else at for at, each in trial.timeline), default=0.0
+    )
+    return PlayedWay(dict(acts), status, run.time, until, places, stays, changed, trial.begun, trial.outcomes)
 
 
 def _acts(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
@@ -140,7 +155,8 @@ def _acts(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
         level = "on" if each.value else "off"
         yield ComparedAct(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
     for text in log.prints:
-        yield ComparedAct(text.time, text.time, _line(text.at, line), "", plain(text.text))
+        where = ", ".join(f"row {row} column {column}" for row, column in _PLACES.findall(text.text))
+        yield ComparedAct(text.time, text.time, _line(text.at, line), "", plain(text.text), place=where)
     for label, terminal in run.machine.terminals.items():
         for text in terminal.prints:
             yield ComparedAct(text.time, text.time, _line(text.at, line), "", f"[{label}] {plain(text.text)}")
@@ -213,7 +229,7 @@ def compared(a: PlayedWay, b: PlayedWay) -> ComparedActs:
     end = min(a.until, b.until)
     for task in dict.fromkeys((*a.acts, *b.acts)):
         mine, others = ([each for each in one.acts.get(task, ()) if each.begin <= end] for one in (a, b))
-        pairs += _task(mine, others, end, found, later, drift)
+        pairs += _task(mine, others, (a, b), found, later, drift)
     found.sort(key=lambda each: each.begin)
     if not found:
         found += _ends(a, b, {int(axis.split()[1]): far for axis, far in drift.items()})
@@ -223,7 +239,7 @@ def compared(a: PlayedWay, b: PlayedWay) -> ComparedActs:
 def _task(
     mine: Sequence[ComparedAct],
     others: Sequence[ComparedAct],
-    end: float,
+    ways: tuple[PlayedWay, PlayedWay],
     found: list[ActDifference],
     later: list[Later],
     drift: dict[str, float],
@@ -249,14 +265,32 @@ def _task(
             hunk.append((one, other))
             continue
         if hunk:
-            late = max(abs(lags[-1]), 0.0) + TAIL
-            _add(found, hunk, end - late if is_end else inf)
+            last = pairs[-1] if pairs else None
+            _add(found, [*_overdue(hunk, last, ways)] if is_end else hunk)
             hunk = []
         if one is not None and other is not None:
             lags.append(other.end - one.end)
             pairs.append((one, other))
     _times(pairs, later)
     return pairs
+
+
+def _overdue(
+    hunk: Sequence[Row], last: tuple[ComparedAct, ComparedAct] | None, ways: tuple[PlayedWay, PlayedWay]
+) -> Iterator[Row]:
+    """Yield what differs behind the last act that both have, but for what the other side may still do.
+
+    What one side does so long after that act, or its last change, must be overdue on the other one when its way ends.
+    """
+    done = [max(ways[side].changed, 0.0 if last is None else last[side].begin) for side in (0, 1)]
+    for row in hunk:
+        rooms = [
+            ways[1 - side].until - done[1 - side] - OVERDUE * (act.begin - done[side])
+            for side, act in enumerate(row)
+            if act is not None
+        ]
+        if min(rooms) > TAIL or None not in row:
+            yield row
 
 
 def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:
@@ -272,16 +306,22 @@ def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:
 
 
 def _times(pairs: Sequence[tuple[ComparedAct, ComparedAct]], later: list[Later]) -> None:
-    """Add what takes longer, or comes later behind the act before it."""
-    lag = 0.0
+    """Add what takes longer, or comes later behind the act before it, or behind a move that has ended since."""
+    lag, before = 0.0, 0.0
+    ends: list[tuple[float, float]] = []
     for one, other in pairs:
-        wait = other.begin - one.begin - lag
+        ends = [each for each in ends if each[0] >= before]
+        causes = [lag, *(late for ended, late in ends if ended <= one.begin + WITHIN)]
+        wait = min((other.begin - one.begin - each for each in causes), key=abs)
         if abs(wait) > WITHIN:
             later.append(Later(one, other, wait, False))
         lasts = (other.end - other.begin) - (one.end - one.begin)
         if abs(lasts) > MOTION:
             later.append(Later(one, other, lasts, True))
-        lag = other.end - one.end if other.end > other.begin else other.begin - one.begin
+        lag, before = other.begin - one.begin, one.begin
+        if other.end > other.begin:
+            lag = other.end - one.end
+            ends.append((one.end, lag))
 
 
 def _is_near(one: ComparedAct, other: ComparedAct, drift: dict[str, float]) -> bool:
@@ -289,7 +329,7 @@ def _is_near(one: ComparedAct, other: ComparedAct, drift: dict[str, float]) -> b
     if one.subject != other.subject or one.exact != other.exact:
         return False
     if not one.exact:
-        return one.words == other.words
+        return (one.words, one.place) == (other.words, other.place)
     if one.target is None or other.target is None:
         return one.target == other.target and one.speed == other.speed
     apart, is_cut = abs(one.target - other.target), one.is_cut
@@ -302,7 +342,7 @@ def _is_near(one: ComparedAct, other: ComparedAct, drift: dict[str, float]) -> b
 
 def _is_time(one: ComparedAct, other: ComparedAct, lags: Sequence[float]) -> bool:
     """True if two printed lines differ by figures alone, and those by the time that B is late, in s or ms."""
-    if one.subject or other.subject or one.kind != other.kind:
+    if one.subject or other.subject or (one.kind, one.place) != (other.kind, other.place):
         return False
     figures = [
         (float(x), float(y))
@@ -320,9 +360,9 @@ def _is_figure(text: str) -> bool:
     return text.replace(".", "", 1).lstrip("-").isdigit()
 
 
-def _add(found: list[ActDifference], hunk: Sequence[Row], end: float) -> None:
-    a = [one for one, _ in hunk if one is not None and (one.begin < end)]
-    b = [other for _, other in hunk if other is not None and (other.begin < end)]
+def _add(found: list[ActDifference], hunk: Sequence[Row]) -> None:
+    a = [one for one, _ in hunk if one is not None]
+    b = [other for _, other in hunk if other is not None]
     if a or b:
         is_order = len(a) > 1 and sorted(map(str, a)) == sorted(map(str, b))
         found.append(ActDifference(a, b, None, is_order))

@@ -11,7 +11,7 @@ from motionlang.commands.init import slug
 from motionlang.commands.quantities import values_of
 from motionlang.commands.scenario_text import WITHIN, error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import Entry, Exploration, plain, tables_of
+from motionlang.exploration import Entry, Exploration, plain
 from motionlang.kernel import Run, run
 from motionlang.kernel.files import create
 
@@ -47,7 +47,7 @@ def _text(found: WaysCompared, each: FoundDifference, names: Names) -> str | Non
     shown = [acts[0].begin for acts in (each.difference.a, each.difference.b) if acts]
     last = max((time for time, _ in each.way.timeline), default=0.0)
     until = round(max(shown, default=min(each.a.time, each.b.time)) + BEYOND, 2)
-    tables = tables_of(each.way.timeline)
+    tables = each.way.tables
     a, b = found.a, found.b
     common = {key: value for key, value in a.settings.items() if b.settings.get(key) == value}
     for end in dict.fromkeys((max(until, last + BEYOND), round(min(each.a.time, each.b.time), 2))):

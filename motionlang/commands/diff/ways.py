@@ -10,6 +10,10 @@ If B does something later, a change that A has answered would come too early. So
 played in B again with each change as long after B rests as it came after A rested. If no act differs then, the two
 differ in time alone.
 
+A way that could tell of a change must have been played. Where a changed statement has not been carried out
+(`changed.py`), or nothing that was played depends on it, the programs are played in more worlds: with long and short
+times between the changes, in the world of the likeliest cycle with another rule for a channel, with encoders that turn.
+
 Cost. Both explorations, at most `MAX_WORK` statements each, and at most `PLAYED` statements of both programs for the
 ways. Ways beyond are named, and not compared.
 """
@@ -19,10 +23,9 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import groupby, pairwise
+from itertools import groupby, islice, pairwise
 from math import ceil, inf, isclose
 from operator import itemgetter
-from pathlib import PurePath
 
 from motionlang.commands.diff.acts import (
     HANDLERS,
@@ -34,27 +37,62 @@ from motionlang.commands.diff.acts import (
     compared,
     played_way,
 )
-from motionlang.exploration import HORIZON, Exploration, MachineCycle, Timeline, Trial, Visit, explored
-from motionlang.kernel import Program, Run, Source, dialect
+from motionlang.commands.diff.changed import changed_programs, note_played
+from motionlang.exploration import (
+    HORIZON,
+    LENGTH,
+    Change,
+    Exploration,
+    MachineCycle,
+    Timeline,
+    Trial,
+    Visit,
+    entries,
+    explored,
+    keys_of,
+    number_in,
+    tables_of,
+)
+from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
+from motionlang.kernel.tools import total
 
 # The statements that both programs may begin in the ways.
 PLAYED = 2_000_000
 # A cycle is played so often at first, and at most, and so many cycles of each program are.
 TIMES, MAX_TIMES, CYCLES = 3, 40, 8
+# What is counted further is played so often.
+FULL = 200
 # A way in which one program lacks an act is played for so long after its last change, s.
 PATIENCE = 108.0
+# So many ways of few changes are played with long times between the changes, s, and with short ones, and so many worlds
+# of each program.
+PACED, SLOW, FAST, WORLDS = 20, 200.0, 0.05, 60
+# A way with long times is played for so long after its last change, s.
+LONG = 324.0
 # No further cycle of a program is made a way after so many statements.
 CYCLE_WORK = 300_000
 
 
 @dataclass
 class Way:
-    """A timeline of changes; `cycle` is the one that it repeats, and `of` has the programs that have it, "A" or "B"."""
+    """A timeline of changes; `cycle` is the one that it repeats, and `of` has the programs that have it, "A" or "B".
+
+    `pace` is the time between its changes if that was chosen, s. A way may have a `world` instead: the entries of a
+    machine file, and what they are in words.
+    """
 
     timeline: Timeline
     of: str
     cycle: MachineCycle | None = None
+    pace: float = 0.0
+    world: Mapping[str, object] | None = None
+    words: str = ""
+
+    @property
+    def tables(self) -> Mapping[str, object]:
+        """The tables of a machine file with its changes."""
+        return tables_of(self.timeline) if self.world is None else self.world
 
 
 @dataclass
@@ -96,8 +134,10 @@ class WaysCompared:
     way that shows them, and may be a consequence of it.
 
     `same`, `differ`, `later` and `only` count the ways: those in which B only does the same at another time, and those
-    that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
-    `changed` those of them that the other program does not have, and `left` the ways that were not compared.
+    that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached.
+    `left` are the ways that were not compared. Of the changed statements, `uncompared` are the lines that no way has
+    carried out, `one_sided` the conditions that have not come out both ways, with the outcome that is missing, and
+    `hidden` those on which nothing depends that was played.
     """
 
     a: Exploration
@@ -112,13 +152,20 @@ class WaysCompared:
     later: list[FoundLater] = field(default_factory=list)
     cycles: list[CycleTime] = field(default_factory=list)
     unreached: dict[str, list[int]] = field(default_factory=dict)
-    changed: dict[str, list[int]] = field(default_factory=dict)
+    uncompared: dict[str, list[int]] = field(default_factory=dict)
+    one_sided: dict[str, dict[int, bool]] = field(default_factory=dict)
+    hidden: dict[str, list[int]] = field(default_factory=dict)
     left: list[Way] = field(default_factory=list)
 
     @property
     def same(self) -> bool:
-        """True if nothing differs in all ways that were found, all were played, and they reach all that is changed."""
-        return not (self.left or self.differences or self.later or any(self.changed.values()))
+        """True if nothing differs, and what was played could have told.
+
+        Each changed statement was carried out in a way that was compared, each changed condition came out both true
+        and false there, and each changed value was equal whenever it was worked out.
+        """
+        named = (self.uncompared, self.one_sided, self.hidden)
+        return not (self.left or self.differences or self.later or any(any(each.values()) for each in named))
 
 
 class Player:
@@ -128,6 +175,7 @@ class Player:
         self.exploration = exploration
         self.names: Mapping[str, str] = {}
         self._owners = exploration.program.structure.owners()
+        exploration.observe()
 
     def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
         """Yield the timelines of what leads on, or was tried, from each state, and those of the cycles."""
@@ -167,6 +215,25 @@ class Player:
         """Return what it does in a way, followed for `patience`, s; the rests are those from a time on."""
         played = self.exploration.play(timeline, since, patience)
         return played_way(played, self.exploration.line, self._owner)
+
+    def play_in(self, world: Mapping[str, object]) -> PlayedWay:
+        """Return what it does in a world."""
+        return played_way(self.exploration.play_in(world, LENGTH), self.exploration.line, self._owner)
+
+    def worlds(self) -> Iterator[tuple[str, Mapping[str, object]]]:
+        """Yield worlds with their words: that of the likeliest cycle, and with other rules for a channel in it."""
+        own = self.exploration.world.settings
+        yield "the world of init", own
+        turning = self.exploration.turning()
+        if turning:
+            yield "encoders that turn", {**own, **turning}
+        for (table, number), world in islice(self.exploration.neighbours(), WORLDS):
+            own_entries = (each for each in entries(world, table) if number_in(table, each) == number)
+            pairs = [
+                pair for each in own_entries for pair in each.items() if pair[0] not in keys_of(table, number)
+            ]
+            rule = ", ".join(f"{key} {value}" for key, value in pairs) or "as it is"
+            yield f"{Change(table, number, 0.0).subject} {rule}", world
 
     def _owner(self, line: int) -> str:
         title = self._owners.get(line, HANDLERS)
@@ -211,50 +278,43 @@ def compared_ways(
             found.left = ways[k:]
             break
         comparison.take(way)
+    for way in _further(first, second, ways):
+        if found.left or comparison.is_settled or a.work + b.work - begun >= work or is_enough(found):
+            break
+        ways.append(way)
+        comparison.take(way)
     known = {each.difference.key for each in found.differences}
     found.behind = [each for each in found.behind if each.difference.key not in known]
     order = {id(way): k for k, way in enumerate(sorted(ways, key=_length))}
     for some in (found.differences, found.behind):
         some.sort(key=lambda each: order[id(each.way)])
     found.later.sort(key=lambda each: order[id(each.way)])
-    found.unreached = {"A": a.missed, "B": b.missed}
-    found.changed = _changed(a, b)
+    comparison.conclude()
     return found
 
 
-def _changed(a: Exploration, b: Exploration) -> dict[str, list[int]]:
-    """Return the lines of each program that no way has reached, and that the other one does not have."""
-    if PurePath(a.program.source.name).suffix.lower() != PurePath(b.program.source.name).suffix.lower():
-        return {}  # a port writes its lines anew
-    old, new = _texts(a.program, b.program)
-    before, after = set(old.values()), set(new.values())
-    return {
-        "A": [line for line in a.missed if line in old and old[line] not in after],
-        "B": [line for line in b.missed if line in new and new[line] not in before],
-    }
+def _further(a: Player, b: Player, ways: list[Way]) -> Iterator[Way]:
+    """Yield ways of few changes at another pace, and worlds, which are played where a change has not shown."""
+    short = sorted((each for each in ways if each.cycle is None), key=_length)[:PACED]
+    for pace in (SLOW, FAST):
+        for way in short:
+            yield Way(_paced(way.timeline, pace), way.of, pace=pace)
+    for player in (a, b):
+        for words, world in player.worlds():
+            yield Way((), "AB", world=world, words=words)
 
 
-def _texts(*programs: Program) -> list[dict[int, tuple[str, ...]]]:
-    """Return the words of two programs by line, without comments; names that only one has are renamed ones."""
-    tokens = [
-        [(kind, text.lower(), at) for kind, text, at in dialect(each.language).tokens(each.source.text)]
-        for each in programs
-    ]
-    old, new = (dict.fromkeys(text for kind, text, _ in some if kind == "word") for some in tokens)
-    own, other = ([each for each in some if each not in others] for some, others in ((new, old), (old, new)))
-    renamed = dict(zip(own, other, strict=False))
-    found: list[dict[int, tuple[str, ...]]] = []
-    for program, some, names in zip(programs, tokens, ({}, renamed), strict=True):
-        lines: defaultdict[int, list[str]] = defaultdict(list)
-        for kind, text, at in some:
-            if kind not in ("comment", "separator"):
-                lines[program.source.location(at)[0]].append(names.get(text, text))
-        found.append({line: tuple(words) for line, words in lines.items()})
-    return found
+def _paced(timeline: Timeline, pace: float) -> Timeline:
+    """Return a timeline with so long between the changes, s."""
+    made: Timeline = ()
+    for k, (_, group) in enumerate(groupby(timeline, key=itemgetter(0))):
+        made += tuple((round((k + 1) * pace, 6), change) for _, change in group)
+    return made
 
 
-def _length(way: Way) -> tuple[int, float]:
-    return len(way.timeline), way.timeline[-1][0] if way.timeline else 0.0
+def _length(way: Way) -> tuple[bool, float, float]:
+    changes = total(each.moment.times for _, each in way.timeline)
+    return way.world is not None, changes, way.timeline[-1][0] if way.timeline else 0.0
 
 
 def _task_names(a: Structure, b: Structure) -> tuple[dict[str, str], dict[str, str]]:
@@ -295,7 +355,7 @@ def all_ways(a: Player, b: Player) -> list[Way]:
 def until_full(one: Exploration, cycle: MachineCycle) -> Timeline:
     """Return the timeline of a cycle that is played some times, and until what the program counts to is full."""
     trial = one.turns(cycle, TIMES)
-    times = MAX_TIMES if _goes_on(one.last, cycle) else _times_to_full(trial)
+    times = max(MAX_TIMES if _goes_on(one.last, cycle) else TIMES, _times_to_full(trial))
     if times > TIMES:
         trial = one.turns(cycle, times)
     return trial.timeline
@@ -323,7 +383,8 @@ def _times_to_full(trial: Trial) -> int:
         if distances[-1] * step >= 0.0:
             continue  # it is reached, or goes away from it
         turns = TIMES + ceil(abs(distances[-1] / step) * TIMES / (len(distances) - 1)) + 1
-        if turns <= MAX_TIMES:
+        work = sum(map(len, trial.statements.values())) * turns / TIMES
+        if turns <= (FULL if work < CYCLE_WORK else MAX_TIMES):
             most = max(most, turns)
     return most
 
@@ -339,13 +400,18 @@ class _Comparison:
         self._first: dict[object, FoundDifference] = {}
         self._behind: dict[object, FoundDifference] = {}
         self._later: dict[object, FoundLater] = {}
+        self._texts = changed_programs(a.exploration.program, b.exploration.program)
         self._cycles: set[frozenset[int]] = set()
 
     def take(self, way: Way) -> None:
         """Play a way in both programs, and take note of what differs."""
-        found = self.found
-        last = way.timeline[-1][0] if way.timeline else 0.0
-        a, b = self.a.play(way.timeline, last), self.b.play(way.timeline, last)
+        if way.world is not None:
+            a, b = self.a.play_in(way.world), self.b.play_in(way.world)
+            self._note(way, (), a, b, compared(a, b))
+            return
+        last = way.timeline[-1][0] if way.timeline and not way.pace else 0.0
+        patience = LONG if way.pace == SLOW else HORIZON
+        a, b = (each.play(way.timeline, last, patience) for each in (self.a, self.b))
         timeline, result = way.timeline, compared(a, b)
         if last > 0.0 and (result.differences or result.later):
             timeline, b, result = self._followed(way.timeline, self.a.play(way.timeline), b, result)
@@ -355,6 +421,11 @@ class _Comparison:
             # What one side lacks may only come later there.
             a = self.a.play(way.timeline, 0.0, PATIENCE)
             timeline, b, result = self._followed(way.timeline, a, b, result, PATIENCE)
+        self._note(way, timeline, a, b, result)
+
+    def _note(self, way: Way, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs) -> None:
+        found = self.found
+        note_played(self._texts, (a, b), bool(result.differences or result.later))
         found.played += 1
         alone = self._alone(way, a, b)
         if result.differences and alone:
@@ -393,6 +464,20 @@ class _Comparison:
         if way.cycle is not None and not result.differences and way.cycle.work not in self._cycles:
             self._cycles.add(way.cycle.work)
             found.cycles += _cycle_time(way, result)
+
+    @property
+    def is_settled(self) -> bool:
+        """True if nothing is left to play: each change was carried out in all outcomes, and has shown."""
+        return not any(each.uncompared or each.one_sided or each.hidden for each in self._texts)
+
+    def conclude(self) -> None:
+        """Name the lines that no way has reached, and those whose changes have not shown."""
+        found, sides = self.found, zip("AB", self._texts, (self.a, self.b), strict=True)
+        for side, text, player in sides:
+            found.unreached[side] = player.exploration.without(text.begun)
+            found.uncompared[side] = text.lines(text.uncompared)
+            found.one_sided[side] = text.one_sided
+            found.hidden[side] = text.lines(text.hidden)
 
     def _alone(self, way: Way, a: PlayedWay, b: PlayedWay) -> str:
         """Return "A" or "B" if only that program goes on after the last change of a way; "" if both do."""

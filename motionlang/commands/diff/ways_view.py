@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.acts import WITHIN, ActDifference, ComparedAct
+from motionlang.commands.diff.acts import WITHIN, ComparedAct
 from motionlang.commands.diff.ways import (
     MAX_TIMES,
     TIMES,
@@ -37,10 +37,7 @@ def input_names(one: Exploration) -> dict[int, str]:
 
 def ways_text(found: WaysCompared, names: Names, most: int = MAX_ROWS) -> str:
     """Return what two programs do differently: a sentence, then each difference, then what differs in time."""
-    lines = [summary(found)]
-    left = not_compared(found)
-    if left:
-        lines.append(f"not compared: {left}")
+    lines = [summary(found), *unproved(found)]
     lines += [f"{way_words(each.way, names)}: {difference_words(each)}" for each in found.differences]
     if found.behind:
         lines.append("only behind another difference, and possibly its consequence:")
@@ -68,16 +65,15 @@ def summary(found: WaysCompared) -> str:
     ]
     limits = f"cycles {TIMES} to {MAX_TIMES} times, times to {1000 * WITHIN:.10g} ms"
     text = f"{count_of(found.played, 'way')} played in both ({limits}): {', '.join(parts)}"
-    a, b = (found.unreached[side] for side in ("A", "B"))
-    if a and a == b:
-        return f"{text}; not reached in either: lines {ranges(a)}"
-    missed = [f"lines {ranges(lines)} of {side}" for side, lines in (("A", a), ("B", b)) if lines]
-    return f"{text}; not reached: {', '.join(missed)}" if missed else text
+    a, b = (found.unreached[side] for side in "AB")
+    where = "not reached in either" if a == b else "not reached"
+    return f"{text}; {where}: {_of_sides(found.unreached)}" if a or b else text
 
 
 def not_compared(found: WaysCompared, explored: str = "AB") -> str:
-    """Return what was not compared: changed lines that no way reaches, and what was left; "" if nothing was."""
-    parts = [f"the changed lines {ranges(lines)} of {side}" for side, lines in found.changed.items() if lines]
+    """Return what was not compared: changed lines that no way carries out, and what was left; "" if nothing was."""
+    lines = _of_sides(found.uncompared)
+    parts = [lines] if lines else []
     parts += [count_of(len(found.left), "way")] if found.left else []
     parts += [
         f"what the exploration of {side} had not found when its budget ended"
@@ -87,19 +83,51 @@ def not_compared(found: WaysCompared, explored: str = "AB") -> str:
     return ", ".join(parts)
 
 
+def unproved(found: WaysCompared) -> Iterator[str]:
+    """Yield why what was played cannot tell of a change: what was left out, and what has not shown."""
+    left = not_compared(found)
+    if left:
+        yield f"not compared: {left}"
+    for outcome in (True, False):
+        missing = {
+            side: [line for line, each in conditions.items() if each is outcome]
+            for side, conditions in found.one_sided.items()
+        }
+        if any(missing.values()):
+            yield f"never {str(outcome).lower()}: {_of_sides(missing)}"
+    if any(found.hidden.values()):
+        yield f"{_of_sides(found.hidden)} changed, and nothing that was played depends on it"
+
+
+def _of_sides(lines: Mapping[str, Sequence[int]]) -> str:
+    """Return lines of both programs, such as "line 4" or "line 4 of A, lines 5, 6 of B"."""
+    a, b = (lines.get(side, ()) for side in "AB")
+    if a == b:
+        return lines_words(a)
+    return ", ".join(f"{lines_words(each)} of {side}" for side, each in (("A", a), ("B", b)) if each)
+
+
+def lines_words(lines: Sequence[int]) -> str:
+    """Return lines in words, "" if there are none."""
+    return f"{'line' if len(lines) == 1 else 'lines'} {ranges(lines)}" if lines else ""
+
+
 def _verb(count: int, verb: str) -> str:
     return f"{verb}s" if count == 1 else verb
 
 
 def way_words(way: Way, names: Names) -> str:
     """Return a way as an operator follows it: "start; part on; clamp closed on"."""
+    if way.world is not None:
+        return f"with {way.words}"
     steps = [_step(changes, names) for changes in _steps(way.timeline)]
     shown = (
         steps
         if len(steps) <= MAX_STEPS
         else [*steps[: MAX_STEPS - 1], f"{len(steps) - MAX_STEPS + 1} more steps"]
     )
-    return "; ".join(["start", *shown])
+    apart = f" ({way.pace:.10g} s apart)" if way.pace else ""
+    return "; ".join(["start", *shown]) + apart
 
 
 def _steps(timeline: Timeline) -> Iterator[Sequence[Change]]:
@@ -123,7 +151,8 @@ def difference_words(found: FoundDifference) -> str:
     if difference.end is not None:
         return f"A: {difference.end[0]}, B: {difference.end[1]}{_aside((), found.times)}"
     sides = (("A", difference.a, found.way.timeline), ("B", difference.b, found.in_b))
-    a, b = (f"{side} {_acts(acts, timeline, difference)}" for side, acts, timeline in sides)
+    is_place = list(map(str, difference.a)) == list(map(str, difference.b))
+    a, b = (f"{side} {_acts(acts, timeline, is_place)}" for side, acts, timeline in sides)
     lines = [f"line {acts[0].line} of {side}" for side, acts, _ in sides if acts and acts[0].line]
     return f"{a}, {b}{_aside(lines, found.times)}"
 
@@ -133,10 +162,11 @@ def _aside(lines: Sequence[str], times: int) -> str:
     return f" ({', '.join(parts)})" if parts else ""
 
 
-def _acts(acts: Sequence[ComparedAct], timeline: Timeline, difference: ActDifference) -> str:
+def _acts(acts: Sequence[ComparedAct], timeline: Timeline, has_places: bool) -> str:
     if not acts:
         return "does not"
-    text = ", then ".join(printable(str(each)) for each in acts[:MAX_ACTS])
+    shown = [(printable(str(each)), each.place if has_places else "") for each in acts[:MAX_ACTS]]
+    text = ", then ".join(f"{act} at {place}" if place else act for act, place in shown)
     rest = f" and {len(acts) - MAX_ACTS} more" if len(acts) > MAX_ACTS else ""
     return f"{text}{rest} {_when(acts[0].begin, timeline)}"
 
@@ -201,7 +231,7 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
     values = {
         "equal": found.same,
         "summary": summary(found),
-        "not_compared": not_compared(found),
+        "not_compared": "; ".join(unproved(found)),
         "played": found.played,
         "same": found.equal,
         "differ": found.differ,

@@ -73,6 +73,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import Step as Step
     from motionlang.kernel.lang.steps import Uses as Uses
     from motionlang.kernel.lang.steps import Values as Values
+    from motionlang.kernel.lang.steps import conditions as conditions
+    from motionlang.kernel.lang.structure import ACTS as ACTS
+    from motionlang.kernel.lang.structure import LEADS as LEADS
+    from motionlang.kernel.lang.structure import NAME as NAME
     from motionlang.kernel.lang.structure import READ as READ
     from motionlang.kernel.lang.structure import SET_UP as SET_UP
     from motionlang.kernel.lang.structure import WRITE as WRITE
@@ -104,10 +108,10 @@ PUBLIC = {
     "machine.layers": "is_key_of_entries layered with_key_of_entries",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
-    "structure": "Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
+    "structure": "ACTS LEADS NAME Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
     "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
-    "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP",
+    "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP conditions",
     "step_graph": "StepGraph",
     "step_task": "StepTask",
     "comments": "Named comments_of names_in_comments remarks without_marks",

@@ -19,7 +19,8 @@ Invariants
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 # The values of a call.
@@ -178,3 +179,14 @@ class Steps(list[Step]):
 def own(number: int) -> int:
     """Return the number in `Uses` of a variable of a call."""
     return -1 - number
+
+
+def conditions(steps: Iterable[Step]) -> list[tuple[int, int]]:
+    """Return the index of each step that tests a condition, and its number among those of its statement."""
+    numbers: Counter[int] = Counter()
+    found = []
+    for pc, step in enumerate(steps):
+        if step.kind == BRANCH or (step.kind == BACK and step.do is not None):
+            found.append((pc, numbers[step.at]))
+            numbers[step.at] += 1
+    return found

@@ -25,6 +25,10 @@ from motionlang.kernel.source import Source
 READ, WRITE, SET_UP = "read", "write", "set up"
 # The channels by which a program reads digital inputs.
 INPUTS = ("input", "input bank")
+# Marks a name of the program in the form of a statement.
+NAME = "~"
+# The effects of a statement: it only leads elsewhere or defines something, it only prints, or it has any other.
+LEADS, PRINTS, ACTS = "leads", "prints", "acts"
 # The axis of a use: its number, the parameter of a sub that holds it, None if it is unknown or if all are meant.
 AxisKey = int | str | None
 
@@ -123,12 +127,15 @@ class Statement:
     task waits at it, and `what` has the numbers of the axes that it waits for. `is_silent` is True for a declaration
     and the like, `select` is the offset of the Select of a Case, -1 for any other statement.
     `starts` and `ends` are the tasks
-    that it starts and ends.
+    that it starts and ends. `form` is a text that all spellings of the statement share, in which `NAME` marks the names
+    of the program. `effect` is one of `LEADS`, `PRINTS` and `ACTS`.
     """
 
     at: int
     line: int
     text: str
+    form: str = ""
+    effect: str = ACTS
     condition: str = ""
     waits: str = ""
     what: tuple[int, ...] = ()
@@ -167,8 +174,8 @@ class Unit:
     """A part of a program that is started or called by itself.
 
     `kind` is "program", "sub", "function", "task", "event", "subroutine" (a label that a Gosub calls) or "macro".
-    `triggers` are the channels that start a handler; one that `is_timed` is started by time alone. `line` is 0 for the
-    program.
+    `head` is the form of its parameters, or the name of a handler. `triggers` are the channels that start a handler;
+    one that `is_timed` is started by time alone. `line` is 0 for the program.
     """
 
     name: str
@@ -177,6 +184,7 @@ class Unit:
     entry: int
     triggers: Sequence[ChannelUse] = ()
     is_timed: bool = False
+    head: str = ""
 
     @property
     def title(self) -> str:

@@ -9,6 +9,8 @@ from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import BACK, BEGIN, BRANCH, CALL, END, ENTER, Steps
 from motionlang.kernel.lang.structure import (
+    ACTS,
+    LEADS,
     READ,
     SET_UP,
     WRITE,
@@ -150,10 +152,12 @@ def _computed(steps: Steps, pc: int) -> Iterable[int]:
 
 def _statement(line: Line, command: Command, at: int, branches: bool) -> Statement:
     made = Statement(at, line.number, command.text)
+    made.form = f"{command.axis}{command.name} {_parameter(command) or command.value!r}"
     row = command.row
     if row is None:
         return made
     made.is_silent = row.function in _SILENT
+    made.effect = LEADS if made.is_silent and row.function != "repeat" else ACTS
     does_wait = row.waits != "time" or command.number != 0
     made.waits = row.waits if does_wait else ""
     made.what = (command.axis,) if row.waits == "axis" and command.axis else ()

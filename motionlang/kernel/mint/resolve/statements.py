@@ -6,6 +6,8 @@ from collections.abc import Container, Iterator, Sequence
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.structure import (
+    LEADS,
+    PRINTS,
     READ,
     SET_UP,
     WRITE,
@@ -18,6 +20,7 @@ from motionlang.kernel.lang.structure import (
 )
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.folding import fold
+from motionlang.kernel.mint.resolve.forms import form
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -28,6 +31,8 @@ from motionlang.kernel.source import Source
 _UNKNOWN = "?"
 # Statements that only jump or end: the graph shows them.
 _JUMPS = (nodes.Exit, nodes.Return)
+# Statements that only lead elsewhere, or whose content is where their names are.
+_LEADING = (*_JUMPS, nodes.Jump, nodes.Label, nodes.Const, nodes.Define, nodes.Auto)
 # Kinds of keywords that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant", "statement"))
 # The codes of keys that a person presses, from the space on.
@@ -85,19 +90,20 @@ class FactsReader:
                 texts = [self._text(each) for each in (node.variable, *values)]
                 step = f" Step {texts[3]}" if len(texts) > 3 else ""
                 made = self._add(node.start, f"For {texts[0]} = {texts[1]} To {texts[2]}{step}", values)
+                made.form = f"For {form([node.variable, *values])}"
                 made.condition = f"{texts[0]} in {made.text.partition('= ')[2]}"
                 self._block(node.body)
             case nodes.While():
                 self._head(node.start, node.condition, "While {}")
                 self._block(node.body)
             case nodes.Repeat():
-                self._add(node.start, "Repeat", []).is_silent = True
+                self._loop(node, "Repeat")
                 at, text = node.condition.start, self._text(node.condition)
                 # The step tests if the loop goes on.
                 self._add(at, f"Until {text}", [node.condition]).condition = f"not ({text})"
                 self._block(node.body)
             case nodes.Loop():
-                self._add(node.start, "Loop", []).is_silent = True
+                self._loop(node, "Loop")
                 self._block(node.body)
             case _:
                 self._simple(node)
@@ -125,8 +131,18 @@ class FactsReader:
         found = [repr(chr(code)) for _, code in compared]
         return f" ({', '.join(found)})" if found else ""
 
+    def _loop(self, node: nodes.Stmt, text: str) -> None:
+        made = self._add(node.start, text, [])
+        made.is_silent, made.effect = True, LEADS
+
     def _simple(self, node: nodes.Stmt) -> None:
         made = self._add(node.start, self._text(node), [])
+        made.form = form(node)
+        is_call = isinstance(node, nodes.Call) and node.target.symbol is not None and not node.target.args
+        if is_call or isinstance(node, _LEADING):
+            made.effect = LEADS
+        elif isinstance(node, nodes.Print):
+            made.effect = PRINTS
         is_goto = isinstance(node, nodes.Jump) and node.kind == "goto"
         made.is_silent = not is_stop(node) or is_goto or isinstance(node, _JUMPS)
         match node:
@@ -160,6 +176,7 @@ class FactsReader:
 
     def _add(self, at: int, text: str, parts: Sequence[nodes.Node]) -> Statement:
         made = self.statements[at] = Statement(at, self.line(at), text)
+        made.form = f"{text.split(maxsplit=1)[0]} {form([*parts])}"
         for each in parts:
             self._read(made, each)
         return made

@@ -10,6 +10,7 @@ from motionlang.kernel.lang.steps import CALL, Steps
 from motionlang.kernel.lang.structure import READ, ChannelUse, Structure, Unit
 from motionlang.kernel.lang.wait_causes import KINDS
 from motionlang.kernel.mint.keywords.event_kinds import is_timed
+from motionlang.kernel.mint.resolve.forms import form
 from motionlang.kernel.mint.resolve.handlers import label_handlers, raised_by
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.statements import FactsReader
@@ -76,8 +77,14 @@ def _units(written: Mapping[Function, Steps], graph: StepGraph, reader: FactsRea
         elif function.kind == "event":
             yield _handler(reader, function.name, function.at, entry)
         else:
-            is_function = isinstance(function.node, nodes.Sub) and function.node.function
-            yield Unit(function.name, "function" if is_function else function.kind, line, entry)
+            sub = function.node if isinstance(function.node, nodes.Sub) else None
+            kind = "function" if sub is not None and sub.function else function.kind
+            head = (
+                ""
+                if sub is None or not (sub.parameters or sub.result)
+                else form([*sub.parameters, sub.result])
+            )
+            yield Unit(function.name, kind, line, entry, head=head)
         handlers = label_handlers(function)
         called = {to for index, (_, to) in steps.called.items() if steps[index].kind == CALL and to > 0}
         for index, label in steps.labels.items():
@@ -94,4 +101,4 @@ def _handler(reader: FactsReader, name: str, at: int, entry: int) -> Unit:
         ChannelUse(channel, str(number) if number >= 0 else "?", READ, at)
         for channel, number in raised_by(reader.names, name)
     ]
-    return Unit(name, "event", reader.line(at), entry, triggers, is_timed(name))
+    return Unit(name, "event", reader.line(at), entry, triggers, is_timed(name), name.lower())

@@ -1,0 +1,172 @@
+"""The statements that differ between two programs, and what has to be played of them.
+
+Problem. Two programs that did the same in each way that was played are only the same if the ways could have told.
+
+Idea. Statements are compared by their forms, which all spellings share, and by where they lead. One without a
+counterpart has changed. It must be carried out in a way that was compared; if it is a condition, it must come out both
+true and false there; and of what it computes something must show. In a way in which both programs have carried out
+statements of the same forms all values were equal. In any other way a difference must show, or the statements in which
+they differ are named.
+
+Cost. Linear in the statements, but for the alignment.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from itertools import chain
+
+from motionlang.commands.cover import coverage
+from motionlang.commands.diff.acts import PlayedWay
+from motionlang.commands.diff.align import aligned
+from motionlang.kernel import Program
+from motionlang.kernel.lang import ACTS, LEADS, NAME
+
+_NAMES = re.compile(rf"{NAME}\w+")
+# Leads to a statement that has changed itself.
+_CHANGED = -1
+
+
+class ChangedProgram:
+    """One of two programs: the forms of its statements by source offset, and those that have changed."""
+
+    def __init__(self, program: Program) -> None:
+        self.program, self.structure = program, program.structure
+        statements = self.structure.statements
+        self.forms = {at: each.form for at, each in statements.items()}
+        self._lines = {at: each.line for at, each in statements.items()}
+        self._effects = {at: each.effect for at, each in statements.items()}
+        # The head of a sub or a handler counts as a statement.
+        for unit in self.structure.units:
+            if unit.head:
+                at = -1 - unit.entry
+                self.forms[at], self._lines[at], self._effects[at] = unit.head, unit.line, ACTS
+        self._offsets = set(program.offsets)
+        # What a run carries out: debug builds begin statements, and the tests of a Case and of an Until come out.
+        self._played = self._offsets | {at for at, each in statements.items() if each.condition}
+        self.changed: set[int] = set()
+        # The statements that began in the ways so far, and how conditions came out there.
+        self.begun: set[int] = set()
+        self.outcomes: set[tuple[int, int, bool]] = set()
+        # The changed statements that began where something differs, and those that did otherwise where nothing does.
+        self._shown: set[int] = set()
+        self._silent: set[int] = set()
+        self._is_shown = False
+
+    def lines(self, some: Iterable[int]) -> list[int]:
+        """Return the lines of some statements."""
+        return sorted({self._lines[at] for at in some})
+
+    @property
+    def uncompared(self) -> set[int]:
+        """The changed statements that no way has carried out."""
+        return (self.changed & self._played) - self.begun
+
+    @property
+    def one_sided(self) -> dict[int, bool]:
+        """The lines of changed conditions that came out in one way only, with the outcome that is missing."""
+        counts = dict.fromkeys(self.outcomes, 1)
+        found = coverage(self.structure, self.program.offsets, counts).conditions
+        return {
+            each.line: bool(each.false) is not self.structure.statements[each.at].text.startswith("Until")
+            for each in found
+            if each.at in self.changed and bool(each.true) is not bool(each.false)
+        }
+
+    @property
+    def hidden(self) -> set[int]:
+        """The changed statements on which nothing depends that was played."""
+        declared = set[int]() if self._is_shown else self.changed - self._played
+        return (self._silent - self._shown) | {at for at in declared if self._effects[at] == ACTS}
+
+    def note(self, played: PlayedWay, own: Set[str], others: Set[str], differs: bool) -> None:
+        """Take note of a way; `own` and `others` are the forms of what acted in it, here and in the other program."""
+        begun = played.begun | {at for at, _, _ in played.outcomes}
+        self.begun |= begun
+        self.outcomes |= played.outcomes
+        self._is_shown |= differs
+        if differs:
+            self._shown |= self.changed & begun
+            return
+        self._silent |= {
+            at
+            for at in self.changed & begun
+            if (self._effects[at] == ACTS and self.forms[at] not in others)
+            or (self._effects[at] == LEADS and own != others)
+        }
+
+    def acted(self, played: PlayedWay) -> set[str]:
+        """Return the forms of the statements of a way that did more than lead elsewhere or print."""
+        begun = played.begun | {at for at, _, _ in played.outcomes}
+        return {self.forms[at] for at in begun if at in self.forms and self._effects[at] == ACTS}
+
+    def following(self, pairs: Mapping[int, int]) -> dict[int, list[int]]:
+        """Return where each statement leads: to the pairs with these numbers, or to what has changed."""
+        points = self.structure.points
+        found: dict[int, list[int]] = {}
+        for p, point in enumerate(points):
+            if point.at in self.forms:
+                found.setdefault(point.at, []).extend(
+                    pairs.get(at, _CHANGED) for at in self._next(p) if at != point.at
+                )
+        return found
+
+    def _next(self, p: int) -> Iterator[int]:
+        """Yield the next statements that begin behind a point, through all that does nothing."""
+        points, seen = self.structure.points, set[int]()
+        stack = [p]
+        while stack:
+            here = points[stack.pop()]
+            for after in (*here.next, here.calls):
+                at = points[after].at if after >= 0 else -1
+                if after < 0 or after in seen:
+                    continue
+                seen.add(after)
+                if at != points[p].at and at in self._offsets:
+                    yield at
+                elif at != points[p].at:
+                    stack.append(after)
+
+
+def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedProgram]:
+    """Return two programs with the statements of each that the other one does not have, or that lead elsewhere."""
+    first, second = ChangedProgram(a), ChangedProgram(b)
+    renamed = _renamed(first, second)
+    second.forms = {
+        at: _NAMES.sub(lambda name: renamed.get(name[0], name[0]), text) for at, text in second.forms.items()
+    }
+    old, new = first.forms, second.forms
+    mine, others = sorted(old), sorted(new)
+    rows = aligned([old[at] for at in mine], [new[at] for at in others], str)
+    pairs = [(mine[i], others[j]) for i, j in rows if i is not None and j is not None]
+    numbers = [{both[side]: k for k, both in enumerate(pairs)} for side in (0, 1)]
+    first.changed, second.changed = old.keys() - numbers[0].keys(), new.keys() - numbers[1].keys()
+    leads = first.following(numbers[0]), second.following(numbers[1])
+    for one, other in pairs:
+        here, there = leads[0].get(one, []), leads[1].get(other, [])
+        if here != there and _CHANGED not in (*here, *there):
+            first.changed.add(one)
+            second.changed.add(other)
+    return first, second
+
+
+def note_played(
+    texts: tuple[ChangedProgram, ChangedProgram], played: tuple[PlayedWay, PlayedWay], differs: bool
+) -> None:
+    """Take note of a way that was played in both programs; `differs` is True if they did something else in it."""
+    acted = [text.acted(each) for text, each in zip(texts, played, strict=True)]
+    for k, (text, each) in enumerate(zip(texts, played, strict=True)):
+        text.note(each, acted[k], acted[1 - k], differs)
+
+
+def _renamed(a: ChangedProgram, b: ChangedProgram) -> dict[str, str]:
+    """Return the names that only the second program has, with those of the first one in the same order."""
+    handlers = {
+        f"{NAME}{each.head}" for one in (a, b) for each in one.structure.units if each.kind == "event"
+    }
+    names: Sequence[dict[str, None]] = [
+        dict.fromkeys(chain.from_iterable(map(_NAMES.findall, each.forms.values()))) for each in (a, b)
+    ]
+    own, other = ([each for each in names[k] if each not in names[1 - k].keys() | handlers] for k in (0, 1))
+    return dict(zip(other, own, strict=False))
