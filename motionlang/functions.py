@@ -23,6 +23,7 @@ from motionlang.kernel import (
     unknown_model,
 )
 from motionlang.kernel import run as run_program
+from motionlang.kernel.failures import allowed
 from motionlang.kernel.lang import Given, one_sentence
 
 if TYPE_CHECKING:
@@ -276,17 +277,19 @@ def improve(
     edits: int = 0,
     cycle: str = "",
     also: Iterable[str] = (),
+    allow: Iterable[str] = (),
 ) -> Improvement:
     """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
 
-    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is how
-    many edits there may be. `cycle` names what repeats, such as "cycle(12)". `also` are numbers of the process that are
-    changed, too, such as "SPEED[0]@9". Raises ValueError if there is no cycle or no limit, and the errors of `run`.
+    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is
+    how many edits there may be. `cycle` names what repeats, such as "cycle(12)". `also` are numbers of the process
+    that are changed, too, such as "SPEED[0]@9". `allow` has the events that a good run may have, as `--allow`.
+    Raises ValueError if there is no cycle or no limit, and the errors of `run`.
     """
     from motionlang.commands.improve import improver_of
 
     program = program if isinstance(program, Source) else os.fspath(program)
-    return improver_of(program, machine, cycle=cycle, also=also).improved(by, edits)
+    return improver_of(program, machine, cycle=cycle, also=also, allow=allowed(allow)).improved(by, edits)
 
 
 def _run_of(program: Program | Run) -> Run:

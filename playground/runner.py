@@ -205,7 +205,7 @@ def _settings(machine: Source, dialect: str) -> dict[str, object]:
 
 
 def _results(made: Run, source: Source) -> Message:
-    from motionlang.cli.event_status import complaints
+    from motionlang.kernel.failures import failed_events, located
     from motionlang.kernel.report import events
     from motionlang.views.report import render
 
@@ -218,7 +218,7 @@ def _results(made: Run, source: Source) -> Message:
         "events": [_event(row) for row, _ in zip(events(made), range(MAX_ROWS), strict=False)],
         "event_count": len(made.machine.log.events),
         # Without their hint, an option of the command line.
-        "complaints": [each.partition("; --")[0] for each in complaints(made, frozenset())],
+        "complaints": [located(each, made) for each in failed_events(made)],
         **_wrong(diagnostics, source, "program"),
     }
 

@@ -7,10 +7,11 @@ import sys
 from collections.abc import Sequence
 from typing import TextIO
 
-from motionlang.kernel import STDIN, STDIN_NAME, Diagnostic, Source
+from motionlang.kernel import STDIN, STDIN_NAME, Diagnostic, Run, Source
+from motionlang.kernel.failures import failed_events, failures, located
 from motionlang.kernel.files import reason
 from motionlang.views.diagnostics import render_all
-from motionlang.views.terminal import wants_colour, width_of
+from motionlang.views.terminal import printable, wants_colour, width_of
 
 
 def unreadable(file: str, error: OSError) -> Diagnostic:
@@ -47,3 +48,10 @@ def complain(
     colour, width = wants_colour(out), width_of(out)
     out.write(render_all(diagnostics, source, name=name, colour=colour, width=width))
     out.flush()
+
+
+def run_status(run: Run, allowed: frozenset[str]) -> int:
+    """Report the events of a run that are not allowed; return its exit status, 0 for a good run."""
+    for each in failed_events(run, allowed):
+        sys.stderr.write(f"{printable(f'{located(each, run)}; {each.hint}')}\n")
+    return 1 if failures(run, allowed) else 0

@@ -14,7 +14,7 @@ from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.output_files import written
 from motionlang.cli.parser import either
-from motionlang.cli.readers import whole
+from motionlang.cli.readers import allowed, whole
 from motionlang.kernel import (
     MACHINE_SUFFIX,
     STDIN,
@@ -80,6 +80,16 @@ def forms(*names: str, what: str = "the form") -> Any:
     listed[0] += " (the default)"
     help = f"{what}: {either(listed)}"
     return option("", help, choices=names)
+
+
+def accepted_events() -> Any:
+    """Return the field of the events that a good run may have."""
+    return option(
+        "KIND,…",
+        "accept events: limit, soft-limit, following-error, fault or all",
+        read=allowed,
+        default=frozenset(),
+    )
 
 
 @dataclass

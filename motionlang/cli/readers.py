@@ -6,7 +6,7 @@ from collections.abc import Callable
 from math import nan
 from sys import float_info
 
-from motionlang.cli.event_status import ALLOWED
+from motionlang.kernel import failures
 
 
 def real(
@@ -73,15 +73,7 @@ def columns(text: str) -> list[str]:
 
 def allowed(text: str) -> frozenset[str]:
     """Return the kinds of events that are accepted, separated by commas."""
-    names = frozenset(each.strip() for each in text.split(","))
-    if names == {"all"}:
-        return frozenset(ALLOWED)
-    unknown = sorted(names - ALLOWED.keys())
-    if unknown:
-        raise ValueError(
-            f"{unknown[0]!r} is no event that a run can accept: choose from {', '.join(ALLOWED)} or all"
-        )
-    return names
+    return failures.allowed(each.strip() for each in text.split(","))
 
 
 def among(*names: str) -> Callable[[str], frozenset[str]]:

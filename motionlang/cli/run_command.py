@@ -9,11 +9,10 @@ from time import monotonic, sleep
 from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, option
-from motionlang.cli.complaints import complain
+from motionlang.cli.complaints import complain, run_status
 from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
-from motionlang.cli.event_status import complaints
-from motionlang.cli.option_groups import OutputOptions, ProgramOptions, WorldOptions, forms
-from motionlang.cli.readers import allowed, machine_time, real
+from motionlang.cli.option_groups import OutputOptions, ProgramOptions, WorldOptions, accepted_events, forms
+from motionlang.cli.readers import machine_time, real
 from motionlang.cli.run_progress import reported
 from motionlang.cli.signals import SIGNALS, status_of
 from motionlang.kernel import (
@@ -104,12 +103,7 @@ class Simulated(OutputOptions, Prepared):
         default=CPU,
     )
     nv: str | None = option("FILE", "keep nv variables, NVLONG and NVFLOAT in FILE between runs", writes=True)
-    allow: frozenset[str] = option(
-        "KIND,…",
-        "accept events: limit, soft-limit, following-error, fault or all",
-        read=allowed,
-        default=frozenset(),
-    )
+    allow: frozenset[str] = accepted_events()
 
     _is_reported: bool = field(default=False, init=False, repr=False)
 
@@ -270,9 +264,7 @@ class Simulated(OutputOptions, Prepared):
             return UNAVAILABLE if result.diagnostics[-1].code == "extra" else CRASHED
         if result.status == "interrupted":
             return SIGNALS.status
-        met = self._complain_of_events(result) if result.machine.log.events else False
-        wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
-        return 1 if wrong or met else 0
+        return run_status(result, self.allow)
 
     def _print_text(self, result: Run) -> None:
         seen, drawn = is_terminal(sys.stdout), draws(sys.stdout)
@@ -306,13 +298,6 @@ class Simulated(OutputOptions, Prepared):
         """Name `init` after a run whose machine nothing describes."""
         if self.machine_path() is None and not self.set and not self.entries() and self.file != STDIN:
             sys.stderr.write(f"note: motionlang init {self.file} writes a first machine file\n")
-
-    def _complain_of_events(self, result: Run) -> bool:
-        """Report limits, following errors and faults that make the exit status 1; True if there are any."""
-        found = complaints(result, self.allow)
-        for each in found:
-            sys.stderr.write(f"{printable(each)}\n")
-        return bool(found)
 
 
 def _note_remembered(result: Run) -> None:

@@ -10,6 +10,7 @@ from textwrap import wrap
 from motionlang.commands.scenarios import scenario_folder
 from motionlang.exploration import Entry
 from motionlang.kernel import Run
+from motionlang.kernel.failures import failures
 from motionlang.kernel.files import create
 
 # The width of a comment, and the tolerance of a position, uu.
@@ -43,8 +44,8 @@ def write_scenario(program: str, names: Iterable[str], text: str) -> str:
 
 
 def error_codes(run: Run) -> list[str]:
-    """Return the codes of the errors of a run, each once."""
-    return list(dict.fromkeys(each.code for each in run.diagnostics if each.severity == "error"))
+    """Return the codes of the errors of a run, and of its events that are not allowed, each once."""
+    return list(dict.fromkeys(each.code for each in failures(run)))
 
 
 def positions(run: Run, axes: Iterable[int]) -> Iterator[Entry]:

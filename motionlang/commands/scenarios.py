@@ -13,6 +13,7 @@ from math import inf
 from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.quantities import no_cycle_notes, unit_of, values_of
 from motionlang.kernel import Run, Source, machine_of, read_machine, run
+from motionlang.kernel.failures import ALLOWED, failures
 from motionlang.kernel.lang import layered
 
 Entry = Mapping[str, object]
@@ -73,11 +74,13 @@ def unmet(result: Run, expected: list[Entry]) -> list[str]:
         and not any("status" in e for e in expected)
     ):
         found.append(f"the run {_ended(result)} at {result.time:.6f} s, not stopped by {stop}")
-    faults = any(entry.get("status") == "fault" for entry in expected)
-    for each in result.diagnostics:
-        if each.severity == "error" and each.code not in codes and not (faults and not codes):
-            location = f"line {each.line}: " if each.line else ""
-            found.append(f"the run had an unexpected error: {location}{each.message} [{each.code}]")
+    if codes or not any(entry.get("status") == "fault" for entry in expected):
+        kinds = {each["event"] for each in expected if "event" in each} | {stop and stop.event}
+        allowed = {name for name, some in ALLOWED.items() if not kinds.isdisjoint(some)}
+        for each in failures(result, allowed):
+            if each.code not in codes:
+                location = f"line {each.line}: " if each.line else ""
+                found.append(f"the run had an unexpected error: {location}{each.message} [{each.code}]")
     return found
 
 
@@ -86,7 +89,7 @@ def _unmet(result: Run, entry: Entry) -> str:
     if "status" in entry:
         return "" if result.status == entry["status"] else f"the run {_ended(result)}, not {entry['status']}"
     if "diagnostic" in entry:
-        codes = [each.code for each in result.diagnostics if each.severity == "error"]
+        codes = list(dict.fromkeys(each.code for each in failures(result)))
         had = f"its errors were {', '.join(codes)}" if codes else "it had none"
         return "" if entry["diagnostic"] in codes else f"the run had no error {entry['diagnostic']}; {had}"
     if "time" in entry:

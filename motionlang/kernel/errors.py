@@ -51,7 +51,7 @@ CODES: dict[str, str] = {
     "recursion": "Calls are nested deeper than the controller's stack.",
     "limit": "The run ended because it produced too much data.",
     "golden": "The run does not match its golden files, or has none.",
-    "beyond-limit": "A limit of the machine was exceeded, or cannot be checked, or the motion is not verified.",
+    "beyond-limit": "A limit was exceeded or met, an axis had a fault, or the motion is not verified.",
     "interrupted": "The run was ended from the keyboard, or by a signal.",
     "crash": "An internal error of motionlang, not an error of the program.",
     "window": "A picture or a trace needs data that the run does not have.",

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, cast
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
+from motionlang.kernel.failures import failures
 from motionlang.kernel.files import InUse
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.lang.machine.keys import DRIVES
@@ -76,6 +77,11 @@ class Run:
     def terminals(self) -> dict[str, list[str]]:
         """Every line that the program printed elsewhere, by label, such as "terminal 2"."""
         return {label: terminal.lines for label, terminal in self.machine.terminals.items() if terminal.lines}
+
+    @property
+    def ok(self) -> bool:
+        """True if the run had no error, and no limit, following error or fault, as the exit status of `run`."""
+        return not failures(self)
 
     @property
     def trace(self) -> Trace:

@@ -10,7 +10,7 @@ from functools import partial
 from typing import ClassVar
 
 from motionlang.cli.command import argument
-from motionlang.cli.complaints import complain, unreadable
+from motionlang.cli.complaints import complain, run_status, unreadable
 from motionlang.cli.program_files import programs
 from motionlang.cli.run_command import Simulated
 from motionlang.cli.signals import SIGNALS
@@ -85,9 +85,9 @@ examples:
             if self.format == "text":
                 made = certificate_text(result, lines, motion, machine_of(program)) + "\n"
                 sys.stdout.write(made if draws(sys.stdout) else plain(made))
-            wrong = result.status == "fault" or any(each.severity == "error" for each in result.diagnostics)
             if result.diagnostics:
                 complain(result.diagnostics, result.source, program)
+            wrong = run_status(result, self.allow)
             failed += wrong
             signed += not wrong
         sys.stdout.write(f"{signed} of {signed + failed} machines within their limits\n")

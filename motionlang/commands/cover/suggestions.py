@@ -186,15 +186,16 @@ class Search:
 
 
 def _expected(result: Run, stops: bool, has_prints: bool) -> Iterator[Entry]:
-    """Yield what a run has done, as expectations: no time, no figure and, of a run that `stops` itself, no error.
+    """Yield what a run has done, as expectations: no time, no figure and, if it `stops` itself, only its events.
 
     The positions at a time limit depend on the speed of the machine, so they are none.
     """
     status = "stopped" if stops else result.status
     if status in ("ended", "until", "stopped", "fault"):
         yield {"status": status}
-    for code in [] if stops else error_codes(result):
-        if code != "machine-file":  # that is an error of a file, and nothing that the machine does
+    for code in error_codes(result):
+        # An error of a file is nothing that the machine does.
+        if code == "beyond-limit" or not (stops or code == "machine-file"):
             yield {"diagnostic": code}
     if has_prints:
         for text in list(dict.fromkeys(filter(None, map(_wording, result.output))))[-MAX_LINES:]:

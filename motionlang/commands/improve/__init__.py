@@ -60,6 +60,7 @@ from motionlang.kernel import (
     run,
     settings_next_to,
 )
+from motionlang.kernel.failures import failures
 from motionlang.kernel.lang import Literal, Structure, Use, canonical, number, number_text, replaced
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tools import bisected, nearest
@@ -169,6 +170,7 @@ class Improver:
     or the whole run if that ends and repeats nothing. `progress` is called with the number of runs so far.
     `machine` is the path of the machine file, for messages. `hold` are the addresses or names of numbers that stay, in
     addition to those of the machine file and of comments; `also` those of the process that are tried all the same.
+    `allow` has the events that the run may have.
     """
 
     def __init__(
@@ -184,6 +186,7 @@ class Improver:
         machine: str | None = None,
         hold: Iterable[str] = (),
         also: Iterable[str] = (),
+        allow: Collection[str] = (),
     ) -> None:
         self.machine, self._in = machine, "" if machine is None else f" in {machine}"
         self.source, self.language, self.world, self.others = source, language, world, others
@@ -208,12 +211,12 @@ class Improver:
         self.cycle = cycle if found is None else found.name or "cycle"
         self._title = cycle or ("" if found is None else "cycle")
         self.before = self._cost(self._base)
-        fails = self._base.status == "fault"
-        if fails and self._base.diagnostics:
-            raise ProgramError([each for each in self._base.diagnostics if each.severity == "error"])
-        if fails or (self._base.status != "ended" and not self.cycle) or not 0.0 < self.before < inf:
+        wrong = failures(self._base, allow)
+        if wrong:
+            raise ProgramError(wrong)
+        if (self._base.status != "ended" and not self.cycle) or not 0.0 < self.before < inf:
             raise NotPossible(
-                f"the program has no cycle to improve: {'it ends with an error' if fails else 'nothing repeats'}",
+                "the program has no cycle to improve: nothing repeats",
                 "; ".join(["motionlang run shows what it does", *no_cycle_notes(self._base, {cycle: None})]),
                 "option",
             )

@@ -90,6 +90,7 @@ examples:
         read=names,
     )
     patch: str | None = option("FILE", "also write the difference of the program", writes=True)
+    allow: frozenset[str] = shared.accepted_events()
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
 
     def check(self) -> None:
@@ -117,6 +118,7 @@ examples:
                 machine=self.machine_path(),
                 hold=self.hold,
                 also=self.also,
+                allow=self.allow,
             )
             found = improver.improved(self.by or 0.0, self.edits or 0)
         except NotPossible as error:

@@ -16,6 +16,7 @@ from motionlang.commands.sweep.job import Problem, Result, SweepJob, worker_of
 from motionlang.commands.sweep.pool import Hand
 from motionlang.commands.sweep.space import Space, Value, space_of
 from motionlang.kernel import Dialect, ProgramError, Source, check_setting, dialect_for, settings_next_to
+from motionlang.kernel.failures import allowed
 from motionlang.kernel.lang import is_key_of_entries
 from motionlang.kernel.rows import RowTable, transposed
 from motionlang.processes.parallel import cores
@@ -27,8 +28,8 @@ KEEP = ("time",)
 class Row:
     """One variant: number, `values`, and results `kept`, by name.
 
-    `problem` is its first error, or None. `row["time"]` and `row["accel"]` look up a result or a varied
-    value.
+    `problem` is its first error, or the first event that is not allowed, or None. `row["time"]` and
+    `row["accel"]` look up a result or a varied value.
     """
 
     index: int
@@ -45,7 +46,7 @@ class Row:
 
     @property
     def ok(self) -> bool:
-        """True if the run had no error."""
+        """True if the run was good, as `Run.ok`."""
         return self.problem is None
 
 
@@ -103,6 +104,7 @@ class Sweep:
         worlds: Mapping[str, Mapping[str, Mapping[str, object]]] | None = None,
         until: float | None = None,
         certify: bool = False,
+        allow: Iterable[str] = (),
     ) -> None:
         """Take the arguments of `sweep`.
 
@@ -125,6 +127,7 @@ class Sweep:
             worlds or {},
             until,
             certify,
+            allowed(allow),
         )
         if len(self.space):
             self._check()
@@ -178,6 +181,7 @@ def sweep(
     overrides: Mapping[str, float | str] | None = None,
     until: float | None = None,
     certify: bool = False,
+    allow: Iterable[str] = (),
 ) -> Rows:
     """Run a program in many variants and return an iterator over their rows.
 
@@ -189,9 +193,9 @@ def sweep(
     500.0}, …]`, is one variant per point. `keep` names the results of a run to keep, see docs/sweep.md.
     `executor` is any `concurrent.futures.Executor`, such as Dask's; without one, `jobs` processes of this
     machine are used. The other arguments are the same as in `run`; with `certify` a variant that exceeds a
-    limit of the machine is an error.
+    limit of the machine is an error. `allow` has the events that a good run may have, as `--allow`.
 
-    A variant with an error is a row with its `problem`. Errors that affect all variants are raised before the
+    A variant that did not run well is a row with its `problem`. Errors that affect all variants are raised before the
     first one runs, as in `Sweep`.
     """
     made = Sweep(
@@ -203,6 +207,7 @@ def sweep(
         overrides=overrides,
         until=until,
         certify=certify,
+        allow=allow,
     )
     names = (*made.space.names, *made.job.keep)
     return Rows(map(made.row, made.results(executor, jobs)), names)

@@ -119,6 +119,7 @@ examples:
                 worlds=worlds,
                 until=self.until,
                 certify=self.certify,
+                allow=self.allow,
             )
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=self.file) from None

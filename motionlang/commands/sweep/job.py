@@ -5,7 +5,7 @@ A job is sent to other processes and machines; each of them computes the expensi
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from hashlib import sha256
 from time import perf_counter
@@ -17,6 +17,7 @@ from motionlang.commands.profile.budget import within_budget
 from motionlang.commands.quantities import ResultValue, quantity
 from motionlang.commands.sweep.space import Value
 from motionlang.kernel import Diagnostic, Program, ProgramError, Run, Source, dialect, run
+from motionlang.kernel.failures import failures
 from motionlang.kernel.lang import is_key_of_entries, layered, with_key_of_entries
 from motionlang.kernel.tools import missing
 
@@ -48,12 +49,13 @@ class SweepJob:
         worlds: Mapping[str, Mapping[str, Mapping[str, object]]],
         until: float | None,
         certify: bool = False,
+        allow: Iterable[str] = (),
     ) -> None:
         self.name, self.text, self.dialect = source.name, source.text, dialect
         self.names, self.keep = tuple(names), tuple(keep)
         self.settings, self.overrides = dict(settings), dict(overrides)
         self.worlds = {kind: {n: dict(s) for n, s in some.items()} for kind, some in worlds.items()}
-        self.until, self.certify = until, certify
+        self.until, self.certify, self.allow = until, certify, sorted(allow)
         self._digest = ""
 
     @property
@@ -169,8 +171,8 @@ class SweepWorker:
         return results
 
     def _problem(self, found: Run) -> Problem | None:
-        """Return the first error of a run, or None."""
-        diagnostics = [each for each in found.diagnostics if each.severity == "error"]
+        """Return the first reason why a run is not good, or None."""
+        diagnostics = failures(found, self.job.allow)
         if found.crash is not None:
             diagnostics.append(_failed(found.crash))
         elif self.job.certify:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from math import inf
 from typing import TYPE_CHECKING, Any
 
@@ -24,8 +24,10 @@ if TYPE_CHECKING:
     # The values and results of each variant without an error, by its number and their name.
     Good = dict[int, Row]
 
-# Failed variants that are named for each error.
-MAX_FAILED = 3
+# Variants that are named for each error, or because they are equal.
+MAX_NAMED = 3
+# Values are equal within this share of them.
+EQUAL = 1e-9
 _FIGURES = re.compile(r"\d[\d.e+-]*")
 
 
@@ -64,6 +66,7 @@ class SweepReport:
         sys.stdout.flush()
         self._note_limit(sweep, good)
         self._note_cycles(sweep, good)
+        self._note_without_value(good)
         if bad:
             self._report_failures(sweep, bad, len(rows))
         return int(bool(bad))
@@ -85,22 +88,29 @@ class SweepReport:
             for note in no_cycle_notes(found, lacking):
                 sys.stderr.write(f"note: {note}\n")
 
+    def _note_without_value(self, good: Good) -> None:
+        """Name the variants that do not count since an expression has no value there."""
+        for each in filter(None, (self._variants.where, self._variants.wanted, *self._costs)):
+            is_where = each is self._variants.where
+            lacking = [row for row in good.values() if (each(row) if is_where else each.number(row)) is None]
+            if lacking:
+                named = self._named([[row[name] for name in self.names] for row in lacking])
+                sys.stderr.write(f"note: {each.text} has no value with {named}\n")
+
     def _cost(self, wanted: QuantityExpression, values: dict[str, Any]) -> float | None:
         """Return the value to minimise, None if it is not a number."""
         cost = wanted.number(values)
         return -cost if cost is not None and self._variants.maximise is not None else cost
 
-    def _best(self, good: Good) -> int | None:
-        """Return the number of the best variant, the first of equal ones."""
+    def _best(self, good: Good) -> list[int]:
+        """Return the numbers of the best variants, which are equal to rounding."""
         wanted = self._variants.wanted
         if wanted is None:
-            return None
-        found = [
-            (cost, index)
-            for index in self._where(good)
-            if (cost := self._cost(wanted, good[index])) is not None
-        ]
-        return min(found)[1] if found else None
+            return []
+        costs = {index: self._cost(wanted, good[index]) for index in self._where(good)}
+        least = min((cost for cost in costs.values() if cost is not None), default=0.0)
+        most = least + EQUAL * abs(least)
+        return [index for index, cost in costs.items() if cost is not None and cost <= most]
 
     def _where(self, good: Good) -> list[int]:
         where = self._variants.where
@@ -119,7 +129,7 @@ class SweepReport:
 
     # ---------------------------------------------------------------------------------------------- the table
 
-    def _text(self, most: int, good: Good, best: int | None, front: list[int]) -> str:
+    def _text(self, most: int, good: Good, best: list[int], front: list[int]) -> str:
         colour = wants_colour(sys.stdout)
         shown = front if self._costs else self._where(good)
         what = f"{len(front)} of {len(good)} variants on the Pareto front" if self._costs else ""
@@ -136,23 +146,34 @@ class SweepReport:
             shown = sorted(shown, key=rank)
         lines = [styled(what, "bold", colour), ""] if what else []
         if shown:
-            marked = None if best is None else good[best]
-            table = sweep_table(self._units, [good[n] for n in shown[:most]], marked)
+            table = sweep_table(self._units, [good[n] for n in shown[:most]], frozenset(best))
             lines += table.lines(table_width(sys.stdout), colour=colour)
         if len(shown) > most:
             lines.append(f"and {len(shown) - most} more; --rows 0 shows all, --rows-to FILE writes all")
         if self._variants.wanted is not None:
-            lines += ["", self._best_line(good, best, self._variants.wanted)]
+            lines += ["", *self._best_lines(good, best, self._variants.wanted)]
         return "\n".join(lines) + "\n"
 
-    def _best_line(self, good: Good, best: int | None, wanted: QuantityExpression) -> str:
-        if best is None:
+    def _best_lines(self, good: Good, best: list[int], wanted: QuantityExpression) -> Iterator[str]:
+        if not best:
             where = self._variants.where
-            return f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"
-        values = good[best]
-        found = ", ".join(f"{name} = {cell(values[name])}" for name in self.names)
+            yield f"no variant has {where.text}" if where is not None else f"no variant has a {wanted.text}"
+            return
+        first, *equal = ([good[n][name] for name in self.names] for n in best)
         which = "largest" if self._variants.maximise is not None else "smallest"
-        return f"best: {found}; {wanted.text} is {which} there, {cell(wanted.number(values))}"
+        value = cell(wanted.number(good[best[0]]))
+        yield f"best: {self._named([first])}; {wanted.text} is {which} there, {value}"
+        if equal:
+            yield f"equally good: {self._named(equal)}"
+
+    def _named(self, points: Sequence[Sequence[object]]) -> str:
+        """Return the varied values of some variants, the first ones if there are many."""
+        named = [
+            ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, point, strict=True))
+            for point in points[:MAX_NAMED]
+        ]
+        more = [f"and {len(points) - MAX_NAMED} more"] if len(points) > MAX_NAMED else []
+        return "; ".join([*named, *more])
 
     # --------------------------------------------------------------------------------------- failed variants
 
@@ -166,9 +187,4 @@ class SweepReport:
             groups.setdefault(_FIGURES.sub("", message), (message, []))[1].append(index)
         sys.stderr.write(f"{len(bad)} of {count} variants failed\n")
         for message, indices in groups.values():
-            named = [
-                ", ".join(f"{n} = {cell(v)}" for n, v in zip(self.names, sweep.space[index], strict=True))
-                for index in indices[:MAX_FAILED]
-            ]
-            more = f"; and {len(indices) - MAX_FAILED} more" if len(indices) > MAX_FAILED else ""
-            sys.stderr.write(f"  {message}\n    with {'; '.join(named)}{more}\n")
+            sys.stderr.write(f"  {message}\n    with {self._named([sweep.space[n] for n in indices])}\n")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import codecs
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import IO, Any
 
 from motionlang.kernel.files import replacing
@@ -17,8 +17,8 @@ Row = dict[str, Any]
 MAX_LETTERS = 40
 
 
-def sweep_table(units: dict[str, str], rows: Sequence[Row], best: Row | None = None) -> Table:
-    """Return the rows of a sweep under the varied names and results, with their units; `best` is marked.
+def sweep_table(units: dict[str, str], rows: Sequence[Row], best: Collection[int] = ()) -> Table:
+    """Return the rows of a sweep under the varied names and results, with their units; the `best` variants are marked.
 
     As data, each row also has the number of its variant, and the reason why it failed.
     """
@@ -34,7 +34,7 @@ def sweep_table(units: dict[str, str], rows: Sequence[Row], best: Row | None = N
         for k, (name, unit) in enumerate(units.items())
     ]
     found = [Column("variant", data=True), *columns, Column("problem", data=True)]
-    return Table("rows", found, rows, style=lambda row: "accel" if row is best else "")
+    return Table("rows", found, rows, style=lambda row: "accel" if row["variant"] in best else "")
 
 
 def cell(value: object) -> str:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 from motionlang.cli.command import Command, WrongOption, flag, option
+from motionlang.cli.option_groups import accepted_events
 from motionlang.cli.readers import COUNT, integer, machine_time
 from motionlang.commands.quantities import quantity_names
 from motionlang.commands.sweep import KEEP
@@ -60,6 +61,7 @@ class Variants(Command):
     )
     until: float | None = option("S", "end every run after S seconds of machine time", read=machine_time)
     certify: bool = flag("a variant fails if it exceeds a limit of the machine file")
+    allow: frozenset[str] = accepted_events()
     minimise: QuantityExpression | None = option(
         "EXPR", "find the variant with the smallest value", read=QuantityExpression
     )

@@ -141,6 +141,7 @@ def _sweep(program: str, verdict: Verdict, rewrite: bool) -> None:
         worlds=worlds,
         until=variants.until,
         certify=variants.certify,
+        allow=variants.allow,
     )
     names = ["variant", *sweep.space.names, *sweep.job.keep, "problem"]
     rows = [

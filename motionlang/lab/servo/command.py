@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
-from motionlang.cli.option_groups import OutputOptions, Picture, ProgramOptions
+from motionlang.cli.complaints import run_status
+from motionlang.cli.option_groups import OutputOptions, Picture, ProgramOptions, accepted_events
 from motionlang.cli.readers import machine_time
 from motionlang.kernel import CheckedSettings
 from motionlang.kernel import run as run_program
@@ -169,6 +170,7 @@ class ServoRun(ProgramOptions, Gains, ServoCommand):
         "S", "time to simulate after the program ends, s (0.5)", read=POSITIVE, default=0.5
     )
     window: float = option("C", "settling window, counts (1)", read=POSITIVE, default=1.0)
+    allow: frozenset[str] = accepted_events()
 
     def simulate(self) -> int:
         """Run the program and print the data of the motors of its axes."""
@@ -199,7 +201,8 @@ class ServoRun(ProgramOptions, Gains, ServoCommand):
         axes = view.axes_table(rows, self.window)
         document = Document([axes, view.plants_table(plants)], {"time": result.time})
         self.show(document, _text([*axes.lines(view.WIDTH), *view.plant_lines(plants)]))
-        return self.draw(rows[0][1], f"{self.file}, axis {rows[0][0]}") if rows else 0
+        status = run_status(result, self.allow)
+        return (self.draw(rows[0][1], f"{self.file}, axis {rows[0][0]}") if rows else 0) or status
 
 
 class ServoSimulation(Command):

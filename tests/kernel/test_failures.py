@@ -5,9 +5,9 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import Any
 
-from motionlang.cli.event_status import complaints
 from motionlang.kernel import Source
 from motionlang.kernel.controller import HOMING
+from motionlang.kernel.failures import failed_events, located
 from tests.cases import cases
 
 NONE: frozenset[str] = frozenset()
@@ -70,4 +70,5 @@ RUNS: tuple[tuple[list[tuple[object, ...]], frozenset[str], list[str]], ...] = (
 def test_the_messages_of_events(
     events: list[tuple[object, ...]], allowed: frozenset[str], messages: list[str]
 ) -> None:
-    assert complaints(run(*events), allowed) == messages
+    made = run(*events)
+    assert [f"{located(each, made)}; {each.hint}" for each in failed_events(made, allowed)] == messages
