@@ -40,6 +40,7 @@ from typing import Any
 
 from motionlang.commands.certify import MOTOR, CertifiedLimit, certificate, missing_limits
 from motionlang.commands.improve.behaviour import SAME, Behaviour
+from motionlang.commands.improve.groups import Groups
 from motionlang.commands.improve.pieces import PieceTimes
 from motionlang.commands.improve.process import AS_SAID, QUANTITIES, SPEED, MoveChange, Process
 from motionlang.commands.improve.tasks import Tasks
@@ -63,7 +64,7 @@ from motionlang.kernel import (
 from motionlang.kernel.failures import failures
 from motionlang.kernel.lang import Literal, Structure, Use, canonical, number, number_text, replaced
 from motionlang.kernel.log import LoggedMove
-from motionlang.kernel.tools import bisected, nearest
+from motionlang.kernel.tools import bisected, listed, nearest
 
 # The units of what is not changed: nothing, and the number of a choice.
 CHOICES = frozenset(("", "integer"))
@@ -206,6 +207,9 @@ class Improver:
         # their highest values by the limits, and what these are in words.
         self._moves: dict[str, list[LoggedMove]] = {}
         self._rates: dict[str, tuple[float, str]] = {}
+        # What else each literal changes; the literals that are scaled by the same factor as another one.
+        self._changes: dict[str, list[MoveChange]] = {}
+        self._along_with: dict[str, list[Literal]] = {}
         self._base = self._run(world)
         found = None if cycle else self._base.cycle
         self.cycle = cycle if found is None else found.name or "cycle"
@@ -274,7 +278,7 @@ class Improver:
         chosen = self._chosen(edits, by, most)
         if len(chosen) < len(edits):
             chosen = self._proven(chosen)
-        values = {each.literal.address: each.value for each in chosen}
+        values = self._scaled({each.literal.address: each.value for each in chosen})
         patched, result = self._patched(values), self._trial(self.world, values, self._worker)
         after = self._cost(result)
         self._share(chosen)
@@ -285,6 +289,7 @@ class Improver:
             *dict.fromkeys(_waits(result, self._tasks)),
         ]
         made = {each.literal.address for each in edits}
+        chosen = [edit for each in chosen for edit in (each, *self._others(each, values))]
         refused = [text for address, text in self._refused.items() if address not in made]
         sets = "" if chosen or refused else _what_sets(self._base)
         settings = self.world.settings
@@ -389,8 +394,7 @@ class Improver:
         for each in edits:
             reason = self._failure([*left, each])
             if reason:
-                literal = each.literal
-                self._refused[literal.address] = f"{literal.address} stays {literal.text}: {reason}"
+                self._refuse(each.literal, reason)
             else:
                 left.append(each)
         return left
@@ -454,7 +458,6 @@ class Improver:
         axes = {axis for _, _, about in spans if about[0] in MOVING for axis in about[3]}
         axes = axes or {move.axis for move in self._base.moves}  # with a motor, waits are for a condition
         limited = {each.axis for each in self._limits}
-        bounded = {(each.axis, each.name.replace(" ", "_")) for each in self._limits}
         self._leading = _leading_to_rates(self._structure)
         self._words = {each.lower() for text in self._leading.values() for each in re.findall(r"\w+", text)}
         self._offsets = sorted(self._structure.statements)
@@ -464,28 +467,28 @@ class Improver:
         for literal in self.literals:
             if literal.address not in self._numbers:
                 continue
-            changes = self._process.changes(self._lowered(literal))
+            changes = self._changes[literal.address] = self._process.changes(self._lowered(literal))
             needed = dict.fromkeys(
                 (each.move.axis, each.quantity) for each in changes if each.move.axis in axes
             )
-            without = [
-                (axis, name)
-                for axis, name in needed
-                if not {(axis, each) for each in (name, *MOTOR)} & bounded
-            ]
+            without = [each for each in needed if not self._is_bounded(*each)]
             for axis, name in without:
                 lacking.setdefault(axis, {})[name] = None
+            self._moves[literal.address] = [each.move for each in changes if each.quantity == SPEED]
             if needed and not without:
                 found.append(literal)
-                self._moves[literal.address] = [each.move for each in changes if each.quantity == SPEED]
-                if all(each.is_proportional(LOWER) for each in changes):
-                    self._rates[literal.address] = self._cap(literal, changes)
+            if changes and all(each.is_proportional(LOWER) for each in changes):
+                self._rates[literal.address] = self._cap(literal, changes)
         if lacking:
             self._need(
                 {axis: sorted(names, key=QUANTITIES.index) for axis, names in sorted(lacking.items())},
                 limited,
             )
         return found
+
+    def _is_bounded(self, axis: int, quantity: str) -> bool:
+        names = {each.name.replace(" ", "_") for each in self._limits if each.axis == axis}
+        return not names.isdisjoint((quantity, *MOTOR))
 
     def _may_set(self, literal: Literal) -> bool:
         if not (literal.is_write and literal.value):
@@ -527,15 +530,56 @@ class Improver:
         )
 
     def _free(self, candidates: Sequence[Literal]) -> list[Literal]:
-        speeds = [each for each in candidates if self._moves[each.address]]
-        free = []
+        """Return a number of each group that is not held; the others of its group are scaled along with it."""
+        literals = {each.address: each for each in self.literals if self._changes.get(each.address)}
+        speeds = [each for each in literals.values() if self._moves[each.address]]
+        reasons = {each.address: self._why_held(each, speeds) for each in literals.values()}
+        groups = Groups(self._base, self._changes)
+        free: dict[str, Literal] = {}
         for literal in candidates:
-            reason = self._why_held(literal, speeds)
+            address, group = literal.address, groups.of[literal.address]
+            reason = reasons[address]
+            if not reason and not self._is_tried(literal):
+                other = next((each for each in group if reasons[each]), "")
+                reason = f"its axis moves with that of {other}, which stays" if other else ""
+                if address in groups.parts:
+                    reason = (
+                        reason or f"its axis moves with axis {groups.parts[address]}, which keeps its own"
+                    )
             if reason:
                 self.held.append(Held(literal, reason))
-            else:
-                free.append(literal)
-        return free
+            elif not any(each in free for each in group):
+                free[address] = literal
+                others = [literals[each] for each in group if each != address and not reasons[each]]
+                self._along_with[address] = others
+                caps = [
+                    (self._rates[each][0] / abs(literals[each].value), self._rates[each][1])
+                    for each in (address, *(other.address for other in others))
+                    if each in self._rates
+                ]
+                if address in self._rates:
+                    factor, words = min(caps)
+                    self._rates[address] = factor * abs(literal.value), words
+        return list(free.values())
+
+    def _is_tried(self, literal: Literal) -> bool:
+        """True if the user wants a number of the process to be tried."""
+        return not {ALL, *_names_of(literal)}.isdisjoint(self._also)
+
+    def _scaled(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Return values with those of the numbers that are scaled along."""
+        found = dict(values)
+        for literal in self.literals:
+            factor = values.get(literal.address, literal.value) / (literal.value or 1.0)
+            if factor != 1.0:
+                for other in self._along_with.get(literal.address, ()):
+                    found[other.address] = float(f"{other.value * factor:.6g}")
+        return found
+
+    def _others(self, edit: Edit, values: Mapping[str, float]) -> Iterator[Edit]:
+        """Yield the edits of the numbers that are scaled along with one."""
+        for other in self._along_with.get(edit.literal.address, ()):
+            yield Edit(other, values[other.address], 0.0, f"scaled with {edit.literal.address}")
 
     def _why_held(self, literal: Literal, speeds: Sequence[Literal]) -> str:
         names = _names_of(literal)
@@ -546,6 +590,10 @@ class Improver:
         comment = self._process.comment(literal, speeds)
         if comment == AS_SAID or ALL in self._also:
             return comment if comment == AS_SAID else ""
+        lacking = [(each.move.axis, each.quantity) for each in self._changes[literal.address]]
+        for axis, quantity in dict.fromkeys(lacking):
+            if not self._is_bounded(axis, quantity):
+                return f"limits.{quantity} of axis {axis} is missing"
         return self._process.reason(self._moves[literal.address]) or comment
 
     # -------------------------------------------------------------------------------------------------- searching
@@ -564,9 +612,13 @@ class Improver:
             if edit is not None and cost < found[0] * (1.0 - NOTHING):
                 found = cost, edit
         reason = next((each for each in bounds if each not in (SATED, UNTRIED)), SATED)
-        if found[1] is None:
-            self._refused.setdefault(literal.address, f"{literal.address} stays {literal.text}: {reason}")
+        if found[1] is None and literal.address not in self._refused:
+            self._refuse(literal, reason)
         return found
+
+    def _refuse(self, literal: Literal, reason: str) -> None:
+        stay = [f"{each.address} stays {each.text}" for each in (literal, *self._along_with[literal.address])]
+        self._refused[literal.address] = f"{listed(stay)}: {reason}"
 
     def _along(
         self, literal: Literal, was: float, values: Mapping[str, float], best: float, grows: bool
@@ -652,7 +704,8 @@ class Improver:
     def _trial(
         self, world: ExpectedWorld, values: Mapping[str, float], worker: SweepWorker | None = None
     ) -> Run:
-        given = {name: number(name, value) for name, value in {**self._numbers, **values}.items()}
+        numbers = {**self._numbers, **self._scaled(values)}
+        given = {name: number(name, value) for name, value in numbers.items()}
         used = worker or self._short
         if world is not self.world:
             self._count()

@@ -71,7 +71,11 @@ examples:
 """
     file: str = argument("FILE", "the program")
     by: float | None = option("PERCENT", "the fewest edits that shorten the cycle by so much", read=percent)
-    edits: int | None = option("N", "the best edits, at most N", read=whole("a number from 1 to 8", 1, 8))
+    edits: int | None = option(
+        "N",
+        "the best edits, at most N; numbers that are scaled together are one",
+        read=whole("a number from 1 to 8", 1, 8),
+    )
     cycle: str | None = option(
         "NAME",
         "what repeats: cycle(12), cycle(output 3) …; default: the cycle that run names, or the whole run",

@@ -51,12 +51,16 @@ SAME_PLACE = 1e-6
 
 
 class MoveChange(NamedTuple):
-    """A move of which a quantity follows a number: its values in user units in both runs, 0 for a jerk."""
+    """A move of which a quantity follows a number: its values in user units in both runs, 0 for a jerk.
+
+    `rate` is 1 for a deceleration.
+    """
 
     move: LoggedMove
     quantity: str
     value: float
     other: float
+    rate: int = 0
 
     def is_proportional(self, ratio: float) -> bool:
         """True if the other value is a share of the value, rounded to counts as a controller does."""
@@ -201,10 +205,10 @@ def _changes(move: LoggedMove, other: LoggedMove, is_whole: bool) -> Iterator[Mo
     if (is_whole or move.commanded_speed is not None) and abs(one - two) > SAME_SHARE * one:
         yield MoveChange(move, SPEED, one, two)
         return
-    rates = list(zip(_rates(move), _rates(other), strict=True))
-    differ = [(a, b) for a, b in rates if abs(a - b) > SAME_SHARE * a]
+    rates = enumerate(zip(_rates(move), _rates(other), strict=True))
+    differ = [(n, a, b) for n, (a, b) in rates if abs(a - b) > SAME_SHARE * a]
     if is_whole or move.rates_in_force is not None:
-        yield from (MoveChange(move, ACCELERATION, a, b) for a, b in differ)
+        yield from (MoveChange(move, ACCELERATION, a, b, n) for n, a, b in differ)
     was, now = _profile(move), _profile(other)
     is_same_way = is_whole and abs(was.distance - now.distance) <= SAME_SHARE * abs(was.distance)
     if not differ and is_same_way and abs(was.duration - now.duration) > SAME_SHARE * was.duration:

@@ -116,7 +116,7 @@ def _held_lines(found: Improvement, colour: bool) -> Iterator[str]:
     if found.held:
         yield ""
         first = found.held[0].literal.address
-        yield styled(f"process speeds, held: --also {first} tries one", "bold", colour)
+        yield styled(f"held: --also {first} tries one", "bold", colour)
         width = max(len(f"{each.literal.address} = {each.literal.text}") for each in found.held)
         for each in found.held:
             named = f"{each.literal.address} = {each.literal.text}"

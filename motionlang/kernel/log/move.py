@@ -55,6 +55,8 @@ class LoggedMove:
 
     # True if it is superposed on another entry, which continues.
     overlaid = False
+    # True if it follows another axis or an encoder.
+    follows = False
 
     def __init__(self, axis: int, command: str, line: int, target: float) -> None:
         self.axis, self.command, self.line, self.target = axis, command, line, target

@@ -295,7 +295,7 @@ def test_a_number_that_is_meant_stays(cell: Cell, comment: str, setting: str, wo
     cell.write("held.mnt", HELD.format(comment))
     cell.write("held.machine.toml", f"{setting}{LIMITS}")
     out = cell("improve", "held.mnt", *words).out
-    assert "process speeds, held: --also SPEED[0]@3 tries one\n  SPEED[0]@3 = 20  as you said\n" in out
+    assert "held: --also SPEED[0]@3 tries one\n  SPEED[0]@3 = 20  as you said\n" in out
     assert "+SPEED(0) = 200 : ACCEL" in out
     assert "\n+SPEED(0) = 20\n" not in out
 

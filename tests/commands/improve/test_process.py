@@ -177,6 +177,50 @@ def test_a_comment_two_lines_above_counts_and_its_word_only_for_the_next_speed()
     assert held(text) == {"SPEED[0]@4": "the comment of line 2 says slowly"}
 
 
+PAIR = "{}Loop\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}Pause IDLE(0) And IDLE(1)\nEnd Loop\n"
+
+
+@pytest.mark.slow
+@cases("moves, reasons", [
+    # One GO.
+    ("SPEED(0) = 50 ' glue\nSPEED(1) = 20\nMOVEA(0) = 0 : MOVER(1) = 90 : GO(0, 1)\n",
+     {"SPEED[0]@5": "the comment of line 5 says glue",
+      "SPEED[1]@6": "its axis moves with that of SPEED[0]@5, which stays"}),
+    # Nothing scales the other axis, so it is as it is.
+    ("SPEED(0) = 40\nMOVEA(0) = 0 : MOVER(1) = 9 : GO(0, 1)\n",
+     {"SPEED[0]@5": "its axis moves with axis 1, which keeps its own"}),
+    # The offset of a slave is in front of its master.
+    ("FOLLOW(1) = 0.5\nSPEED(0) = 40\nMOVEA(0) = 0 : GO(0) : Wait(99)\nSPEED(1) = 9 ' weld\nOFFSET(1) = 5 : GO(1)\n"
+     "Pause IDLE(0)\nCANCEL(1)\n",
+     {"ACCEL[0]@1": "its axis moves with axis 1, which keeps its own",
+      "DECEL[0]@1": "its axis moves with axis 1, which keeps its own",
+      "SPEED[0]@6": "its axis moves with that of SPEED[1]@8, which stays"}),
+    # Two GOs, but both moves end at once: 90 at 40 takes 2.3 s, as do 23 at 10 and 0.0125 s of ramp.
+    ("SPEED(1) = 10\nMOVER(1) = 23 : GO(1)\nWait(12)\nSPEED(0) = 40 ' saw\nMOVEA(0) = 0 : GO(0) : Pause IDLE(1)\n",
+     {"SPEED[0]@8": "the comment of line 8 says saw",
+      "SPEED[1]@5": "its axis moves with that of SPEED[0]@8, which stays"}),
+    ("SPEED(0) = 40 ' weld\nMOVEA(0) = 0 : GO(0) : Pause IDLE(0)\nSPEED(1) = 9\nMOVER(1) = 9 : GO(1)\n",
+     {"SPEED[0]@5": "the comment of line 5 says weld"}),
+])  # fmt: skip
+def test_axes_that_move_together_are_held_together(moves: str, reasons: dict[str, str]) -> None:
+    assert held(PAIR.format(RATES, moves)) == reasons
+
+
+def test_axes_that_move_together_are_scaled_by_one_factor() -> None:
+    """The limit of axis 1 is 5 thirds of its speed, the one of axis 0 twice; together they are one edit."""
+    text = f"{RATES}Loop\nSPEED(0) = 200 : SPEED(1) = 240\nMOVER(0) = 200 : MOVER(1) = 240 : GO(0, 1)\nPause IDLE(1)\n"
+    improver = Improver(
+        Source("a.mnt", text + "End Loop\n"),
+        dialect("mint"),
+        ExpectedWorld("", {"run.until": 30.0, **LIMITS}),
+    )
+    found = improver.improved(most=1)
+    assert {each.literal.address: each.value for each in found.edits} == {
+        "SPEED[0]@3": 333.0,
+        "SPEED[1]@3": 399.6,
+    }
+
+
 DRILL = """\
 SPEED(0) = 120 : ACCEL(0) = 800 : DECEL(0) = 800
 Loop
@@ -200,11 +244,11 @@ def drill(cell: Cell) -> Cell:
 @pytest.mark.slow
 def test_also_tries_a_number_of_the_process(drill: Cell) -> None:
     out = drill("improve", "drill.mnt").out
-    assert "process speeds, held: --also SPEED[0]@3 tries one\n" in out
+    assert "held: --also SPEED[0]@3 tries one\n" in out
     assert "  SPEED[0]@3 = 6  the comment of line 3 says drill\n" in out
     for also in ("SPEED[0]@3", "SPEED(0)@3", "all"):
         out = drill("improve", "drill.mnt", "--also", also, "--patch", "faster.diff").out
-        assert "process speeds" not in out
+        assert "held: --also" not in out
         assert "\n-  SPEED(0) = 6       ' drill\n" in out
     held_all_the_same = drill("improve", "drill.mnt", "--also", "all", "--hold", "SPEED[0]@3").out
     assert "  SPEED[0]@3 = 6  as you said\n" in held_all_the_same

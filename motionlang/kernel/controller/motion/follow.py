@@ -71,6 +71,7 @@ class FollowMove(LoggedMove):
     """The log entry of a slave, whose profile is joined from its history on demand."""
 
     __slots__ = ("segments", "shape", "size")
+    follows = True
 
     def __init__(self, axis: int, command: str, line: int, shape: str, target: float = INFINITY) -> None:
         self.segments: list[tuple[float, Profile]] = []
