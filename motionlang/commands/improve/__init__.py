@@ -207,8 +207,9 @@ class Improver:
         # their highest values by the limits, and what these are in words.
         self._moves: dict[str, list[LoggedMove]] = {}
         self._rates: dict[str, tuple[float, str]] = {}
-        # What else each literal changes; the literals that are scaled by the same factor as another one.
+        # What each literal changes, and what else it sets; the literals that are scaled along with another one.
         self._changes: dict[str, list[MoveChange]] = {}
+        self._also_sets: dict[str, str] = {}
         self._along_with: dict[str, list[Literal]] = {}
         self._base = self._run(world)
         found = None if cycle else self._base.cycle
@@ -467,7 +468,9 @@ class Improver:
         for literal in self.literals:
             if literal.address not in self._numbers:
                 continue
-            changes = self._changes[literal.address] = self._process.changes(self._lowered(literal))
+            lowered = self._lowered(literal)
+            changes = self._changes[literal.address] = self._process.changes(lowered)
+            self._also_sets[literal.address] = self._process.also_sets(lowered, LOWER)
             needed = dict.fromkeys(
                 (each.move.axis, each.quantity) for each in changes if each.move.axis in axes
             )
@@ -594,7 +597,8 @@ class Improver:
         for axis, quantity in dict.fromkeys(lacking):
             if not self._is_bounded(axis, quantity):
                 return f"limits.{quantity} of axis {axis} is missing"
-        return self._process.reason(self._moves[literal.address]) or comment
+        also = self._also_sets[literal.address]
+        return also or self._process.reason(self._moves[literal.address]) or comment
 
     # -------------------------------------------------------------------------------------------------- searching
 

@@ -10,11 +10,12 @@ from __future__ import annotations
 import re
 from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from itertools import chain
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import accumulate, chain
 from math import fsum, hypot, inf
 from typing import NamedTuple
 
+from motionlang.commands.improve.acts import LATE
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.map.program_map import channels_of
 from motionlang.kernel import Run
@@ -113,6 +114,40 @@ class Process:
                 found += _changes(move, now, is_whole)
         return found
 
+    def also_sets(self, other: Run | None, ratio: float) -> str:
+        """Return what else than motion a number sets, by a run in which it is `ratio` times as large; "" if nothing.
+
+        A time that the program waits for gets longer or shorter by the ratio while no axis moves.
+        """
+        if other is None:
+            return ""
+        for was, now in zip(
+            self._run.machine.log.analogue_outputs, other.machine.log.analogue_outputs, strict=False
+        ):
+            if was.channel == now.channel and abs(was.value - now.value) > SAME_SHARE:
+                return f"line {self._line(was.at)} sets analogue output {was.channel} by it"
+        mine, others = _times(self._run), _times(other)
+        is_still = _standstill(self._run)
+        for (what, at), spans in mine.items():
+            pairs = [
+                (end - begin, until - since, begin, end)
+                for (begin, end), (since, until) in zip(spans, others.get((what, at), ()), strict=False)
+            ]
+            if pairs and all(
+                abs(was - now) > 2.0 * LATE
+                and (what == "time" or min(abs(now - ratio * was), abs(now - was / ratio)) < LATE)
+                and (what in ("time", "pulse") or is_still(begin, end))
+                for was, now, begin, end in pairs
+            ):
+                seconds = f"{pairs[0][0]:.4g} s"
+                if what in ("output", "pulse"):
+                    return f"output {at} is on for {seconds} by it"
+                return f"line {self._line(at)} waits {seconds} by it"
+        return ""
+
+    def _line(self, at: int) -> int:
+        return self._run.dialect.locate(self._run.source, at)[0]
+
     def reason(self, moves: Sequence[LoggedMove]) -> str:
         """Return why the speed of some moves is that of a process; "" if it need not be."""
         if any(self._homes(move.command) for move in moves):
@@ -171,6 +206,42 @@ class Process:
             if word is not None and literal in speeds and first == line and abs(literal.value) == lowest:
                 return f"the comment of line {each} says {word[0].lower()}"
         return ""
+
+
+def _times(run: Run) -> dict[tuple[str, int], list[tuple[float, float]]]:
+    """Return when the waits of each statement and the spans of each output that is on begin and end."""
+    found: dict[tuple[str, int], list[tuple[float, float]]] = {}
+    for wait in run.machine.log.waits:
+        if wait.until < run.time:
+            cause = "time" if wait.cause == "time" else "condition"
+            found.setdefault((cause, wait.at), []).append((wait.since, wait.until))
+    assert run.program is not None
+    statements = run.program.structure.statements
+    begun: dict[int, tuple[float, str]] = {}
+    for each in run.machine.log.outputs:
+        if each.value:
+            uses = statements[each.at].uses if each.at in statements else ()
+            is_pulse = any(use.row is not None and use.row.unit == "ms" for use in uses)
+            begun.setdefault(each.channel, (each.time, "pulse" if is_pulse else "output"))
+        elif each.channel in begun:
+            time, what = begun.pop(each.channel)
+            found.setdefault((what, each.channel), []).append((time, each.time))
+    return found
+
+
+def _standstill(run: Run) -> Callable[[float, float], bool]:
+    """Return a function that is true if no axis moves between two times."""
+    moves = sorted(
+        (m.start_time, m.start_time + m.profile.duration) for m in run.machine.log.moves if m.profile
+    )
+    ends = list(accumulate((end for _, end in moves), max))
+    starts = [begin for begin, _ in moves]
+
+    def is_still(begin: float, end: float) -> bool:
+        before = bisect_right(starts, end - SHORT)
+        return not before or ends[before - 1] < begin + SHORT
+
+    return is_still
 
 
 def _planned(run: Run) -> dict[int, list[LoggedMove]]:

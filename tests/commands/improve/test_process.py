@@ -177,6 +177,22 @@ def test_a_comment_two_lines_above_counts_and_its_word_only_for_the_next_speed()
     assert held(text) == {"SPEED[0]@4": "the comment of line 2 says slowly"}
 
 
+@cases("uses, reason", [
+    ("OUTX(1) = 1 : Wait(v) : OUTX(1) = 0\n", "line 5 waits 0.12 s by it"),
+    ("TIME = 0 : Pause TIME > 12000 / v\n", "line 5 waits 0.101 s by it"),
+    ("PULSEOUTX(1) = v\n", "output 1 is on for 0.12 s by it"),
+    ("DAC(1) = v / 4\n", "line 5 sets analogue output 1 by it"),
+    # Outputs that are on as long as the motion takes, at a constant speed too, follow the motion alone.
+    ("OUTX(2) = 1 : MOVER(0) = 5 : GO(0) : Pause IDLE(0) : OUTX(2) = 0\n", ""),
+    ("MOVER(0) = 90 : GO(0) : Pause POS(0) > 30 : OUTX(2) = 1 : Pause POS(0) > 60 : OUTX(2) = 0 : Pause IDLE(0)\n", ""),
+    ("MOVER(0) = 5 : GO(0) : Wait(200) : Pause IDLE(0)\n", ""),
+])  # fmt: skip
+def test_a_constant_that_sets_something_else_stays(uses: str, reason: str) -> None:
+    text = f"Const v = 120\n{RATES}SPEED(0) = v\nLoop\n{uses}MOVEA(0) = 0 : GO(0) : Pause IDLE(0)\n"
+    found = held(f"{text}MOVEA(0) = 60 : GO(0) : Pause IDLE(0)\nEnd Loop\n", given={"run.until": 6.0})
+    assert found == ({"v": reason} if reason else {})
+
+
 PAIR = "{}Loop\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}Pause IDLE(0) And IDLE(1)\nEnd Loop\n"
 
 
