@@ -463,7 +463,7 @@ class Improver:
         self._words = {each.lower() for text in self._leading.values() for each in re.findall(r"\w+", text)}
         self._offsets = sorted(self._structure.statements)
         self._numbers = {each.address: each.value for each in self.literals if self._may_set(each)}
-        lacking: dict[int, dict[str, None]] = {}
+        lacking: dict[int, dict[str, list[Literal]]] = {}
         found = []
         for literal in self.literals:
             if literal.address not in self._numbers:
@@ -476,17 +476,14 @@ class Improver:
             )
             without = [each for each in needed if not self._is_bounded(*each)]
             for axis, name in without:
-                lacking.setdefault(axis, {})[name] = None
+                lacking.setdefault(axis, {}).setdefault(name, []).append(literal)
             self._moves[literal.address] = [each.move for each in changes if each.quantity == SPEED]
             if needed and not without:
                 found.append(literal)
             if changes and all(each.is_proportional(LOWER) for each in changes):
                 self._rates[literal.address] = self._cap(literal, changes)
         if lacking:
-            self._need(
-                {axis: sorted(names, key=QUANTITIES.index) for axis, names in sorted(lacking.items())},
-                limited,
-            )
+            self._need(dict(sorted(lacking.items())), limited)
         return found
 
     def _is_bounded(self, axis: int, quantity: str) -> bool:
@@ -515,12 +512,13 @@ class Improver:
         value, words = min(found, default=(inf, ""))
         return max(value, abs(literal.value)), words
 
-    def _need(self, lacking: Mapping[int, Sequence[str]], limited: Collection[int]) -> None:
-        """Say which limits are missing; raise NotPossible if there are none."""
+    def _need(self, lacking: Mapping[int, Mapping[str, Sequence[Literal]]], limited: Collection[int]) -> None:
+        """Name the numbers whose limits are missing; raise NotPossible if there are no limits."""
+        missing = {axis: sorted(names, key=QUANTITIES.index) for axis, names in lacking.items()}
         figures = "; ".join(
-            f"axis {axis}: {', '.join(f'limits.{name}' for name in names)}" for axis, names in lacking.items()
+            f"axis {axis}: {', '.join(f'limits.{name}' for name in names)}" for axis, names in missing.items()
         )
-        axis, names = next(iter(lacking.items()))
+        axis, names = next(iter(missing.items()))
         by_hand = f"--set axis.{axis}.limits.{names[0]}=VALUE"
         if not limited:
             raise NotPossible(
@@ -528,8 +526,14 @@ class Improver:
                 f"it needs {figures}: {by_hand}, or "
                 + missing_limits(self.source.name, self.machine, self.language.first_axis),
             )
+        stay = {
+            id(each): f"{each.address} = {each.text}"
+            for some in lacking.values()
+            for one in some.values()
+            for each in one
+        }
         self.skipped.append(
-            f"limits are missing{self._in}, so these numbers stay: {figures}; {by_hand} gives one"
+            f"{', '.join(stay.values())} stay: limits are missing{self._in}, {figures}; {by_hand} gives one"
         )
 
     def _free(self, candidates: Sequence[Literal]) -> list[Literal]:

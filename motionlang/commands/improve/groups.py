@@ -62,7 +62,12 @@ class Groups:
 def _together(run: Run) -> Iterator[set[MoveKey]]:
     """Yield the moves that start together, that end together, and those of axes while one follows the other."""
     homes = run.dialect.table().homes
-    moves = [each for each in run.machine.log.moves if each.profile is not None and not homes(each.command)]
+    moves = [
+        each
+        for each in run.machine.log.moves
+        # An axis that a path leaves where it is moves with no other.
+        if each.profile is not None and each.profile.peak_speed and not homes(each.command)
+    ]
     followers = [each for each in moves if each.follows]
     moves = sorted((each for each in moves if not each.follows), key=_start)
     for time in (_start, _end):

@@ -15,6 +15,7 @@ from itertools import accumulate, chain
 from math import fsum, hypot, inf
 from typing import NamedTuple
 
+from motionlang.commands.certify.extremes import extremes
 from motionlang.commands.improve.acts import LATE
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.map.program_map import channels_of
@@ -99,6 +100,10 @@ class Process:
             if move.profile is not None and not self._homes(move.command) and not move.ended:
                 self._highest[move.axis] = max(self._highest.get(move.axis, 0.0), self._speed(move))
         self._own, self._alone = _comments(run)
+        axes = run.controller.axes
+        self._jumps = {
+            n: extremes(axes[n], run.time).jerk.value == inf for n in {m.axis for m in run.machine.log.moves}
+        }
 
     def changes(self, other: Run | None) -> list[MoveChange]:
         """Return how the moves follow a number that another run has changed, none if they go elsewhere then."""
@@ -111,7 +116,7 @@ class Process:
                 is_whole = not (move.ended or now.ended or self._homes(move.command))
                 if is_whole and _goes_elsewhere(move, now):
                     return []
-                found += _changes(move, now, is_whole)
+                found += _changes(move, now, is_whole, self._jumps[axis])
         return found
 
     def also_sets(self, other: Run | None, ratio: float) -> str:
@@ -267,10 +272,11 @@ def _goes_elsewhere(move: LoggedMove, other: LoggedMove) -> bool:
     return all(abs(one - two) > SAME_PLACE for one, two in zip(*ends, strict=True))
 
 
-def _changes(move: LoggedMove, other: LoggedMove, is_whole: bool) -> Iterator[MoveChange]:
-    """Yield the speed of a move if it differs, else its rates, else its jerk if it takes another time.
+def _changes(move: LoggedMove, other: LoggedMove, is_whole: bool, jumps: bool) -> Iterator[MoveChange]:
+    """Yield the speed of a move if it differs, or its rates, or its jerk if it takes another time.
 
-    Of a homing, and of a move that is cut off, only what was commanded counts.
+    Of a homing, and of a move that is cut off, only what was commanded counts. If the acceleration of its axis `jumps`,
+    no number sets its jerk: a lower rate of a path may be hidden by the other one, which is higher.
     """
     one, two = _own_speed(move), _own_speed(other)
     if (is_whole or move.commanded_speed is not None) and abs(one - two) > SAME_SHARE * one:
@@ -281,9 +287,12 @@ def _changes(move: LoggedMove, other: LoggedMove, is_whole: bool) -> Iterator[Mo
     if is_whole or move.rates_in_force is not None:
         yield from (MoveChange(move, ACCELERATION, a, b, n) for n, a, b in differ)
     was, now = _profile(move), _profile(other)
-    is_same_way = is_whole and abs(was.distance - now.distance) <= SAME_SHARE * abs(was.distance)
+    is_same_way = abs(was.distance - now.distance) <= SAME_SHARE * abs(was.distance)
+    is_same_way = is_same_way and is_whole and was.peak_speed > 0.0
     if not differ and is_same_way and abs(was.duration - now.duration) > SAME_SHARE * was.duration:
-        yield MoveChange(move, JERK, 0.0, 0.0)
+        first, other_first = was.phases[0].duration, now.phases[0].duration
+        rate = int(abs(first - other_first) <= SAME_SHARE * first)
+        yield MoveChange(move, ACCELERATION if jumps else JERK, 0.0, 0.0, rate)
 
 
 def _rates(move: LoggedMove) -> tuple[float, ...]:

@@ -385,9 +385,27 @@ def test_the_limits_that_are_missing_are_named_once(cell: Cell) -> None:
     )
     cell.write("two.machine.toml", f"run.until = 8\n{LIMITS}")
     out = cell("improve", "two.mnt").out
-    note = "limits are missing in two.machine.toml, so these numbers stay: axis 1: limits.speed, limits.acceleration"
+    note = (
+        "SPEED[1]@1 = 50, ACCEL[1]@1 = 400, DECEL[1]@1 = 400 stay: limits are missing in two.machine.toml, "
+        "axis 1: limits.speed, limits.acceleration"
+    )
     assert out.count(note) == 1
+    assert "  SPEED[0]@1 = 100  its axis moves with that of SPEED[1]@1, which stays\n" in out
     assert "--set axis.1.limits.speed=VALUE gives one\n" in out
+
+
+def test_a_path_is_improved_as_a_move(cell: Cell) -> None:
+    """The lower rate is hidden by the other one, and axis 1 does not move."""
+    rates = "SPEED(0, 1) = 250; : ACCEL(0, 1) = 2000; : DECEL(0, 1) = 2000;\n"
+    for command in ("VECTORA(0, 1) = {}, 0", "MOVEA(0) = {}"):
+        moves = "".join(f"{command.format(end)} : GO(0) : Pause IDLE(0)\n" for end in (100, 0))
+        cell.write("path.mnt", f"{rates}Loop\n{moves}End Loop\n")
+        cell.write(
+            "path.machine.toml", "run.until = 8\naxis.0.limits = { speed = 400, acceleration = 4000 }\n"
+        )
+        assert cell("improve", "path.mnt").out.startswith("path.mnt: cycle 1.0501 s → 0.70005 s, -33.3 %"), (
+            command
+        )
 
 
 def test_an_edit_that_fails_in_a_scenario_is_taken_out_and_the_others_stay(shuttle: Cell) -> None:

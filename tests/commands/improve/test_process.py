@@ -208,9 +208,7 @@ PAIR = "{}Loop\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}Pause ID
     # The offset of a slave is in front of its master.
     ("FOLLOW(1) = 0.5\nSPEED(0) = 40\nMOVEA(0) = 0 : GO(0) : Wait(99)\nSPEED(1) = 9 ' weld\nOFFSET(1) = 5 : GO(1)\n"
      "Pause IDLE(0)\nCANCEL(1)\n",
-     {"ACCEL[0]@1": "its axis moves with axis 1, which keeps its own",
-      "DECEL[0]@1": "its axis moves with axis 1, which keeps its own",
-      "SPEED[0]@6": "its axis moves with that of SPEED[1]@8, which stays"}),
+     {"SPEED[0]@6": "its axis moves with that of SPEED[1]@8, which stays"}),
     # Two GOs, but both moves end at once: 90 at 40 takes 2.3 s, as do 23 at 10 and 0.0125 s of ramp.
     ("SPEED(1) = 10\nMOVER(1) = 23 : GO(1)\nWait(12)\nSPEED(0) = 40 ' saw\nMOVEA(0) = 0 : GO(0) : Pause IDLE(1)\n",
      {"SPEED[0]@8": "the comment of line 8 says saw",
