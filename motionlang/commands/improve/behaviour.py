@@ -37,6 +37,8 @@ class Behaviour:
     def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float], status: str = "") -> None:
         self._tasks, self._starts, self._status = tasks, starts, run.status
         self._statuses = {run.status, status or run.status}
+        # What goes on at the time limit may end before it if it is faster.
+        self._may_end = "until" in self._statuses
         # True if the last cycle may be cut anywhere: by the end of the run, or by an input at a fixed time.
         self._is_cut = run.status != "ended" or any(
             each > min(starts, default=0.0) for each in _fixed_times(run)
@@ -60,7 +62,8 @@ class Behaviour:
 
     def difference(self, run: Run, starts: Sequence[float]) -> str:
         """Return what another run does differently; "" if nothing that matters."""
-        if run.status not in self._statuses:
+        is_over = self._may_end and run.status in ("ended", "stopped") and len(starts) >= len(self._starts)
+        if run.status not in self._statuses and not is_over:
             errors = [each.message for each in run.diagnostics if each.severity == "error"]
             return errors[0] if errors else f"the run {run.status}, not {self._status}"
         if _grave(run) != self._grave:

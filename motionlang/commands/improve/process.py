@@ -113,7 +113,7 @@ class Process:
             for move, now in zip(moves, others.get(axis, ()), strict=False):
                 if (move.line, move.command) != (now.line, now.command):
                     break
-                is_whole = not (move.ended or now.ended or self._homes(move.command))
+                is_whole = not (move.ended or now.ended or move.follows or self._homes(move.command))
                 if is_whole and _goes_elsewhere(move, now):
                     return []
                 found += _changes(move, now, is_whole, self._jumps[axis])

@@ -57,12 +57,23 @@ def played_ways(
     found = compared_ways(_WithoutTimes(a), _WithoutTimes(b), PLAYED)
     names = input_names(a)
     texts: dict[bool, list[str]] = {True: [], False: []}
-    for each in (*found.differences, *found.behind):
+    differences = [each for each in (*found.differences, *found.behind) if not _is_beyond(each)]
+    for each in differences:
         texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {difference_words(each)}")
-    differ = f", {found.differ} differ" if found.differ else ": the same but for time"
+    differ = f", {found.differ} differ" if differences else ": the same but for time"
     left = not_compared(found, explored="A")
     summary = f"{count_of(found.played, 'way')} played with the edits, too{differ}"
     return PlayedWays(f"{summary}; not compared: {left}" if left else summary, texts[True], texts[False])
+
+
+def _is_beyond(found: FoundDifference) -> bool:
+    """True if the faster program has only done more when the play of the other one was cut, or has come to its end."""
+    difference = found.difference
+    if found.a.status != "waits" or found.a.is_at_rest:
+        return False
+    if difference.end is not None:
+        return found.b.status == "ended"
+    return bool(difference.b) and not difference.a and found.b.ordered[-1] in difference.b
 
 
 def _is_grave(found: FoundDifference) -> bool:

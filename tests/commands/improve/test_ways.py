@@ -69,3 +69,16 @@ def test_a_way_that_only_goes_elsewhere_is_named(cell: Cell) -> None:
         "note: B, with the edits, does something else: start; input 1 (part) on: A output 3 on after" in out
     )
     assert (cell.folder / "faster.diff").exists()
+
+
+def test_the_end_of_a_run_is_no_difference(cell: Cell) -> None:
+    """A faster program may end before the time limit, or while the play of the other one is cut."""
+    rates = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\nFOLLOW(1) = 0.5\nFor k = 1 To {}\n"
+    moves = "MOVEA(0) = 10 : GO(0) : Pause IDLE(0)\nMOVEA(0) = 0 : GO(0) : Pause IDLE(0)\nPrint k\nNext\n"
+    for cycles, until in ((40, 60), (4, 30)):
+        cell.write("end.mnt", f"Dim k\n{rates.format(10, cycles)}{moves}")
+        limits = "limits = { speed = 40, acceleration = 1000 }"
+        cell.write("end.machine.toml", f"run.until = {until}\naxis.0.{limits}\naxis.1.{limits}\n")
+        ran = cell("improve", "end.mnt")
+        assert (ran.status, "SPEED[0]@2     2    10  40  1.4400" in ran.out) == (0, True), ran.out + ran.err
+        assert "note: 1 way played with the edits, too: the same but for time\n" in ran.out
