@@ -287,6 +287,11 @@ def _praise(said: Iterable[str]) -> float:
     return SAID * bool(words) + RIGHT * any(map(is_right, words))
 
 
+def names_alarm(text: str) -> bool:
+    """True if a text has a name of something that is on when something is wrong."""
+    return bool(_ALARM.search(text))
+
+
 def speaks(said: str) -> bool:
     """True if a line has words; a number alone may be the code of a fault."""
     return any(map(str.isalpha, said))

@@ -26,7 +26,7 @@ from math import fsum, inf
 from typing import Any, NamedTuple
 
 from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, number_in
-from motionlang.exploration.cycles import RIGHT, MachineCycle, is_right, is_wrong, speaks, wrong
+from motionlang.exploration.cycles import RIGHT, MachineCycle, is_right, is_wrong, names_alarm, speaks, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
 from motionlang.exploration.trials import SHORTEST_MOVE, is_short_move, plain, without_figures
@@ -295,16 +295,31 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     """Return what is wrong with the work of a run in words, "" if nothing is.
 
     A run that prints nothing, or only jogs, does no work if the program has texts, or moves, that no trial has reached.
-    One that switches no output does none if the program switches several.
+    One that switches no output does none if the program switches several. An alarm that comes once in several pieces,
+    each of which makes the same move, calls for a change of tool.
     """
     right, faults = _acts(explorer, run)
+    for each in run.machine.log.prints:
+        text = without_figures(plain(each.text))
+        if (SAID, text) in right and _is_on_alarm(explorer, each.at):
+            faults[text] += right.pop((SAID, text))
     often = Counter[str]()
     for (kind, _), count in right.items():
         often[kind] = max(often[kind], count)
     texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
     said = [repr(text) for each, text in texts.items() if each in faults]
     times = often[MOVE] if run.cycle is None else run.cycle.count
-    if faults.total() > HALF * (often[SAID] or (0 if said else times)):
+    if not said:
+        homes = run.dialect.table().homes
+        same = Counter(
+            (each.line, each.axis, round(each.to_user(each.profile.end), 3))
+            for each in run.machine.log.moves
+            if each.profile is not None
+            and each.profile.duration < inf
+            and not (each.ended or homes(each.command))
+        )
+        times = max([times, often[SAID], *same.values()])
+    if faults.total() > HALF * (times if not said else often[SAID]):
         words = f"prints {', '.join(said)}"
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
@@ -320,6 +335,16 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     if not (often[MOVE] or often[JOG]):
         return "only homes"
     return "only jogs" if is_still and not often[MOVE] else ""
+
+
+def _is_on_alarm(explorer: Explorer, at: int) -> bool:
+    """True if the condition on the same line before a statement names what is wrong, as in If alarm = 3 Then."""
+    source = explorer.program.source
+    line, column = source.location(at) if at >= 0 else (0, 0)
+    condition = source.line(line)[: max(column - 1, 0)].lower() if line else ""
+    words = condition.split()
+    is_condition = "if" in words and "then" in words and "not" not in words
+    return is_condition and names_alarm(condition) and bool(wrong([condition]))
 
 
 def _missed(explorer: Explorer) -> tuple[bool, bool]:

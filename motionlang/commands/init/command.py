@@ -73,8 +73,13 @@ switched on, the cycle, which lines command motion and moved no axis, and
 which channels only a comment names. If no axis moved, they say where the
 program waits, and what was tried there.
 
-exit status: 0 the file is written and the program ran; 1 the file exists, the
-program has an error or a fault, or it commands motion and no axis moved
+exit status: 0 the file is written and the program made a good piece in it;
+1 the file exists or cannot be written, the program has an error, or its run is
+none that run calls good: it ends with an error, or has a limit, a following
+error or a fault; no axis moved, or only homed, though the program commands
+more; or no good piece was found: it prints, in words or on the condition of an
+alarm, that something is wrong, switches on an alarm by its name, prints
+nothing, switches no output, or only jogs. 2 the command line is invalid
 
 examples:
   motionlang init packer.prg
@@ -215,9 +220,8 @@ examples:
         structure = program.on(board).structure
         sentences = [] if measured is None else measured.sentences
         sys.stderr.writelines(f"note: {each}\n" for each in [*sentences, *notes(structure, found)])
-        return max(
-            status, int(motionless(structure, found.run) or bool(found.exploration.fault_of(found.run)))
-        )
+        is_bad = motionless(structure, found.run) or found.exploration.fault_of(found.run)
+        return max(status, int(bool(is_bad)))
 
     def _measured(self, program: Program, plain: Program, board: Mapping[str, object]) -> Measured:
         """Measure the world of a program, a debug build and a plain one, in its recording; raise Refused."""

@@ -17,7 +17,7 @@ from motionlang.exploration import Entry, Exploration, RestState, Transition, en
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure, Target
 from motionlang.kernel.report import moves
-from motionlang.kernel.tools import listed
+from motionlang.kernel.tools import count_of, listed
 
 # Lines of the program that a comment quotes, and characters of one.
 MAX_LINES = 3
@@ -97,7 +97,8 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     source = exploration.program.source
     name = os.path.basename(source.name)
     stop = _stop(result)
-    ends = f"run.stop = {inline(stop)}    # {ASKS if 'event' in stop else REPEATS}\n" if stop else ""
+    why = ASKS if "event" in stop else standstill(result) or REPEATS
+    ends = f"run.stop = {inline(stop)}    # {why}\n" if stop else ""
     head = HEAD.format(
         program=name,
         cut=CUT if exploration.interrupted is not None else "",
@@ -116,6 +117,8 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
     for number in sorted({move.axis for move in result.machine.log.moves} | switches.keys()):
         sections.append(_axis(number, _switches(draft, number), result))
     expected = _expected(result)
+    if exploration.fault_of(result):  # a line of trouble is nothing to expect
+        expected = [each for each in expected if "prints" not in each]
     if exploration.interrupted is None:
         sections.append(EXPECT.format(folder=scenario_folder(name)) if expected else FAULT)
     for each in expected if exploration.interrupted is None else ():
@@ -178,6 +181,19 @@ def path_text(choice: Choice, draft: Draft, below: Draft, until: float) -> str:
 def _about(entry: Entry, among: list[Entry]) -> list[Entry]:
     """Return the entries of the same channel."""
     return [each for each in among if each["channel"] == entry["channel"]]
+
+
+def standstill(result: Run) -> str:
+    """Return where a run with a cycle waits for ever behind it, in words; "" if it goes on to its end."""
+    cycle, log = result.cycle, result.machine.log
+    if cycle is None or result.status not in ("until", "fault") or not log.moves:
+        return ""
+    last = max(each.start_time for each in log.moves)
+    waits = [text for text in result.idle if text.startswith("line ")]
+    if 2.0 * last >= result.time or not waits:
+        return ""
+    line = waits[0].partition(":")[0]
+    return f"it waits for ever in {line} after {count_of(cycle.count, 'cycle')}: its world has no more"
 
 
 def _stop(result: Run) -> dict[str, object]:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator
 from itertools import islice
 
 from motionlang.commands.init import Draft
-from motionlang.commands.init.file import leading, quoted
+from motionlang.commands.init.file import leading, quoted, standstill
 from motionlang.commands.map.behaviour import never_run
 from motionlang.commands.map.channels import only_named
 from motionlang.commands.map.program_map import channels_of
@@ -24,11 +24,22 @@ def _move_lines(structure: Structure) -> set[int]:
     return {each.line for each in structure.statements.values() if each.moves}
 
 
-def motionless(structure: Structure, result: Run) -> bool:
-    """True if no axis moved although the program commands motion."""
-    profiles = [each.profile for each in result.machine.log.moves]
-    short = all(each is not None and each.duration < SHORTEST_MOVE for each in profiles)
-    return bool(_move_lines(structure)) and short
+def motionless(structure: Structure, result: Run) -> str:
+    """Return what moved in a run that did no motion of its program, in words; "" if it did, or has none.
+
+    A homing is none if the program commands more, nor is a move of no distance, or one that is cut off at once.
+    """
+    homes, homed = result.dialect.table().homes, set[int]()
+    for move in result.machine.log.moves:
+        profile = move.profile
+        if profile is None or not profile.peak_speed or (move.ended and profile.duration < SHORTEST_MOVE):
+            continue
+        if not homes(move.command):
+            return ""
+        homed.add(move.line)
+    if not _move_lines(structure) - homed:
+        return ""
+    return "no axis moved but for a homing" if homed else "no axis moved"
 
 
 def notes(structure: Structure, draft: Draft) -> list[str]:
@@ -43,7 +54,8 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     if never:
         found.append(f"{numbered('output', never)} {'were' if len(never) > 1 else 'was'} never switched on")
     found += [f"cycle: {result.cycle}"] if result.cycle is not None else []
-    found += _unmoved(structure, result)
+    still = motionless(structure, result)
+    found += [] if still else _unmoved(structure, result)
     found += _unused(result)
     if not exploration.is_whole:
         found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
@@ -51,9 +63,13 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
         found.append(f"no good piece was found: the best cycle {what}")
         found += islice(_not_reached(structure, exploration), SHOWN)
         found.append(f"to find by hand what leads there: motionlang panel {exploration.program.source.name}")
-    if motionless(structure, result):
-        found.append(f"no axis moved, and line {min(_move_lines(structure))} commands motion")
+    if still:
+        moved = {each.line for each in result.machine.log.moves}
+        line = min(_move_lines(structure) - moved or _move_lines(structure))
+        found.append(f"{still}, and line {line} commands motion")
         found += _stays(exploration)
+    if stands := standstill(result):
+        found.append(stands)
     return found
 
 
@@ -86,8 +102,10 @@ def _stays(exploration: Exploration) -> list[str]:
         if node.first.question is not None:
             reads.append(f"an answer to {node.first.question!r}")
         text = f"waits in {numbered('line', lines)}" + (f" for {' or '.join(reads)}" if reads else "")
-        tried = _tried(node, reads)
-        found.append(f"{text}; tried {tried}" if tried else text)
+        # An answer that is taken leads on, be it to the same question.
+        is_taken = node.first.question is None or bool(node.transitions)
+        tried = f"tried {_tried(node, reads)}" if is_taken else "no answer was taken"
+        found.append(text if tried == "tried " else f"{text}; {tried}")
     return found
 
 
