@@ -402,3 +402,16 @@ def test_a_key_that_no_entry_has_is_rejected(name: str, why: str) -> None:
     machine = {"input": [{"channel": 1, "asked": 0.5}]}
     with pytest.raises(ValueError, match=why):
         motionlang.sweep(STROKE, {name: [0.2]}, machine=machine)
+
+
+def test_a_run_into_a_limit_is_not_good_in_python() -> None:
+    """`run`, a row and `allow` go by the same function."""
+    text = "Const v = 50\nSOFTLIMITFORWARD(0) = 80\nSPEED(0) = 100 : MOVER(0) = v : GO(0) : Pause IDLE(0)\n"
+    far = [motionlang.run(Source("a.mnt", text), overrides={"v": v}).ok for v in (50, 90)]
+    near = [
+        [row.ok for row in motionlang.sweep(Source("a.mnt", text), {"v": [50, 90]}, jobs=1, allow=allow)]
+        for allow in ((), ("soft-limit",))
+    ]
+    assert [far, *near] == [[True, False], [True, False], [True, True]]
+    with pytest.raises(ValueError, match="choose from limit, soft-limit, following-error, fault or all"):
+        motionlang.sweep(Source("a.mnt", text), {"v": [50]}, allow=("soft",))
