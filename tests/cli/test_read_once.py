@@ -53,8 +53,8 @@ def test_a_command_reads_a_program_once(
         # The text, and the program for all values.
         ("sweep --jobs 1 --vary _PARTS=1,2,3", 1, 2),
         ("sweep --jobs 1 --vary SPEED[_axX]@18=700,800,900 --vary ACCEL[_axX]@19=3000,4000", 1, 2),
-        # The same, and the program that is explored, without and with the edits.
-        ("improve", 2, 4),
+        # The same, the program that is explored, without and with the edits, and with another number of a group.
+        ("improve", 2, 5),
         # The text, and the program that is played.
         ("map", 1, 2),
     ],
