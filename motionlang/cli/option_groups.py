@@ -26,6 +26,7 @@ from motionlang.kernel import (
     Source,
     WrongEntry,
     check_setting,
+    dialect_of,
     dialects,
     language_of,
     machine_of,
@@ -196,7 +197,7 @@ class OutputOptions(Command):
     # The forms that the extension of the file chooses; the text becomes a page for those of `PAGES`.
     suffixes: ClassVar[Mapping[str, str]] = {".json": "json", ".csv": "csv"}
     format: str = forms("text", "json", "csv", "none")
-    quiet: bool = flag("same as --format none", short="q")
+    quiet: bool = flag("print no report: --format none, unless -o writes it into a file", short="q")
     output: str | None = option(
         "FILE",
         "write to FILE instead of standard output; .json, .csv, .html and .md choose the form",
@@ -207,19 +208,30 @@ class OutputOptions(Command):
 
     def check(self) -> None:
         super().check()
-        if self.quiet:
+        if self.quiet and self.output is None:
             self.format = "none"
         self._choose_form()
 
     def _choose_form(self) -> None:
         """Choose the form by the extension of the file, unless an option has."""
+        if self.output is not None and self.format == "none":
+            raise WrongOption(
+                f"--format none leaves nothing to write into {self.output}; leave out one of them"
+            )
         if self.format is not None:
             return
         choices = next(each.metadata["choices"] for each in fields(self) if each.name == "format")
         suffix = os.path.splitext(self.output or "")[1].lower()
-        self.format = self.suffixes.get(suffix, "text" if suffix in PAGES else choices[0])
+        default = "text" if self.output is not None else choices[0]
+        self.format = self.suffixes.get(suffix, default)
         if self.format == "text":
             self._page = PAGES.get(suffix)
+
+    def _check_files(self) -> None:
+        super()._check_files()
+        path = self.output or ""
+        if path.lower().endswith(".toml") or dialect_of(path) is not None:
+            raise WrongOption(f"--output writes neither machine files nor programs, such as {path}")
 
     def start(self) -> int:
         if self.output is None:

@@ -116,7 +116,9 @@ def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> No
     for form in (
         ([],) if command in ("init", "pvt export") else ([], ["--format", "json"], ["--format", "csv"])
     ):
-        printed = program(*line, *form)
+        # a file without a form gets the report, which trace and plot print on request
+        asked = ["--format", "text"] if command in ("trace", "plot") and not form else form
+        printed = program(*line, *asked)
         (program.folder / "a.machine.toml").unlink(missing_ok=True)  # which `init` writes
         written = program(*line, *form, "-o", "out.txt")
         (program.folder / "a.machine.toml").unlink(missing_ok=True)
@@ -124,3 +126,14 @@ def test_o_writes_what_is_printed_into_a_file(command: str, program: Cell) -> No
         text = (program.folder / "out.txt").read_text(encoding="utf-8")
         assert text == printed.out, command
         assert form != ["--format", "json"] or json.loads(text)["schema"].startswith("motionlang"), command
+
+
+@pytest.mark.parametrize("command", having("--output"))
+def test_a_quiet_file_is_that_of_the_command_without_q(command: str, program: Cell) -> None:
+    found = []
+    for quiet in ([], ["-q"]):
+        ran = program(*command.split(), *LINES[command].split(), "-o", "report.csv", *quiet)
+        (program.folder / "a.machine.toml").unlink(missing_ok=True)  # which `init` writes
+        assert ran.out == ""
+        found.append((program.folder / "report.csv").read_text())
+    assert found[0] == found[1] != "", command

@@ -10,6 +10,7 @@ from tests.cli.programs import STROKE, Cell
 
 USED = "this command already uses"
 TWICE = "both write"
+OTHER = "--output writes neither machine files nor programs"
 
 
 @pytest.mark.parametrize(
@@ -33,6 +34,9 @@ TWICE = "both write"
         ("verify . -o worlds/one.toml", USED),
         ("cover a.mnt --html c.html --lcov c.html", TWICE),
         ("plot a.mnt out.html -o out.html", TWICE),
+        ("init a.mnt -o new.toml", OTHER),
+        ("run a.mnt -o new.mnt", OTHER),
+        ("profile a.mnt --format none -o rec.csv", "nothing to write into rec.csv"),
     ],
 )
 def test_a_file_that_is_in_use_is_not_written(command: str, why: str, cell: Cell) -> None:
