@@ -199,7 +199,7 @@ class Homing:
         self._unwatch()
         self.state = "stopping"
         self.found = True
-        self.before = self.a.actual_position
+        self.before = round(self.a.actual_position, 5)  # an edge is met within a millionth of a count
         define_position(self.a, self._datum)
         self.a.set_home()
         come_to_rest(self.a)
