@@ -92,7 +92,7 @@ def channels(levels: Iterable[tuple[int, float, object]]) -> dict[int, Digital]:
 
 def place(a: Axis, time: float) -> float:
     """Return where an axis was at a time, in user units from the zero of the machine, which a homing leaves."""
-    return a.scale.to_user(a.position(time) - a.datum)
+    return (a.position(time) - a.datum) / a.scale_at(time)[0]
 
 
 class AxisPath(Protocol):

@@ -28,12 +28,12 @@ _DOTS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
 
 def velocity_panel(axis: Axis, end: float, count: int) -> Panel:
     """Return the velocity of `axis` from 0 to `end` seconds, with the extremes of `count` equal intervals."""
-    scale = axis.scale.counts or 1.0
     step = (end or 1.0) / count
     x: list[float] = []
     y: list[float] = []
     for number, (low, high) in enumerate(velocity_spans(axis, end, count)):
-        extremes = sorted((low / scale, high / scale))
+        counts, _ = axis.scale_at((number + 0.5) * step)
+        extremes = sorted((low / counts, high / counts))
         # Rising and falling by turns, so that one line passes through all extremes.
         y += extremes if number % 2 else extremes[::-1]
         x += [(number + 0.5) * step] * 2

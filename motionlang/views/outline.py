@@ -32,7 +32,7 @@ def outline(
     table = trace.table(axis)
     values = piece_values(table.columns, piece, inside, ORDERS[quantity])
     times = np.maximum.accumulate(table.origins[piece] + inside)
-    trace.to_user(axis, quantity, values)
+    trace.to_user(axis, quantity, times, values)
     return thinned(times, values, span, bins)
 
 

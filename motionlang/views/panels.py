@@ -64,14 +64,14 @@ def _with_motor(
 ) -> Panel:
     (demand,) = position.curves
     times, values = thinned(servo.time, servo.position, span)
-    trace.to_user(axis, "position", values)
+    trace.to_user(axis, "position", times, values)
     motor = Curve(times.tolist(), values.tolist(), COLOURS["motor"], "motor")
     return replace(position, curves=[motor, replace(demand, name="demand")])
 
 
 def _servo_panels(trace: Trace, axis: int, servo: ServoTrace, span: tuple[float, float]) -> Iterator[Panel]:
     times, error = thinned(servo.time, servo.error, span)
-    trace.to_user(axis, "velocity", error)  # a difference of positions: the zero does not apply
+    trace.to_user(axis, "velocity", times, error)  # a difference of positions: the zero does not apply
     yield _panel("following error", "uu", times, error)
     has_dac = servo.loop.dac_bits > 0
     output = servo.dac_steps if has_dac else servo.output

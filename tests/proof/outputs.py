@@ -97,7 +97,8 @@ def check_trace(proof: Proof, run: RunRecords, samples: Samples) -> None:
             continue
         a = run.axes[column.axis]
         for time, value in zip(samples.time.tolist(), values.tolist(), strict=True):
-            counts = value * a.scale.counts + a.scale.zero
+            size, zero = a.scale_at(time)
+            counts = value * size + zero
             # The time of a row is rounded: a profile that begins then may have begun.
             late = time + 4e-15 * (1.0 + time)
             expected = position(a, late), position(a, time, ending=True)

@@ -131,7 +131,7 @@ def test_dots_join_their_neighbours(
 def test_the_panel_of_a_velocity_passes_through_all_extremes() -> None:
     """The line rises in the second interval of 1 s and falls in the last one."""
     axis = moved(None)
-    axis.scale.set(2.0, 1.0, 0.0)
+    axis.scales = [(0.0, 2.0, 0.0)]
     panel = velocity_panel(axis, 5.0, 5)
     (curve,) = panel.curves
     assert [float(x) for x in curve.x] == [0.5, 0.5, 1.5, 1.5, 2.5, 2.5, 3.5, 3.5, 4.5, 4.5]

@@ -9,9 +9,11 @@ stationary points.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from math import inf
+from operator import itemgetter
 
 from motionlang.kernel import Axis
 from motionlang.kernel.planners import (
@@ -64,7 +66,7 @@ class Extremes:
 def extremes(a: Axis, until: float) -> Extremes:
     """Return the extremes of the commanded motion of an axis up to a time.
 
-    They are in the user units in force at the end, positions from the zero of the homed machine. Where the velocity
+    They are in the user units in force at their times, positions from the zero of the homed machine. Where the velocity
     jumps, the acceleration is infinite; where the acceleration jumps, the jerk is.
     """
     found: Extremes | None = None
@@ -73,15 +75,20 @@ def extremes(a: Axis, until: float) -> Extremes:
     for begin, length, profile in _track(a, until):
         zero = zeros.at(begin)
         if found is None:
-            found = Extremes(a.scale.to_user(profile.start - zero))
+            found = Extremes((profile.start - zero) / a.scales[0][1])
+        first_scale = bisect_left(a.scales, begin, 1, key=itemgetter(0))
+        for k in range(first_scale, bisect_right(a.scales, begin + length, 1, key=itemgetter(0))):
+            since = a.scales[k][0]
+            for _, counts, _ in a.scales[k - 1 : k + 1]:
+                found.take(since, _in_units(counts, profile.at(since - begin), zero))
         for points in _stretches(profile, length):
             first, last = points[0][1], points[-1][1]
             if before is not None:
                 _jump(found, begin + points[0][0], before, first)
             before = last
             for time, state in points:
-                found.take(begin + time, _in_units(a, state, zero))
-    return found or Extremes(a.scale.to_user(a.position(until) - zeros.at(until)))
+                found.take(begin + time, _in_units(a.scale_at(begin + time)[0], state, zero))
+    return found or Extremes((a.position(until) - zeros.at(until)) / a.scale_at(until)[0])
 
 
 class _Zeros:
@@ -105,6 +112,8 @@ def peak_speed(a: Axis, until: float) -> float:
 
     Most profiles store their highest speed.
     """
+    if len(a.scales) > 1:
+        return extremes(a, until).speed.value
     peak = 0.0
     for begin, length, profile in _track(a, until):
         if profile.shape != "hold":
@@ -192,10 +201,10 @@ def _differ(left: float, right: float, slope: float, slope_after: float) -> bool
     return abs(right - left) > rounding + _MOMENT * max(abs(slope), abs(slope_after))
 
 
-def _in_units(a: Axis, state: MotionState, zero: float) -> MotionState:
-    size = abs(a.scale.counts)
+def _in_units(counts: float, state: MotionState, zero: float) -> MotionState:
+    size = abs(counts)
     return MotionState(
-        a.scale.to_user(state.position - zero),
+        (state.position - zero) / counts,
         state.velocity / size,
         state.acceleration / size,
         state.jerk / size,
@@ -210,18 +219,19 @@ def motor_peak(a: Axis, until: float, column: str, *, rms: bool = False) -> Extr
     """
     if a.feedback is None:
         return None
-    from motionlang.kernel.tracks import chunks
+    from motionlang.kernel.tracks import chunks, units_at
 
     largest, when, squares, count = 0.0, 0.0, 0.0, 0
     for first, chunk in chunks(a, until):
         values = abs(getattr(chunk, column))
+        if column == "error":
+            values /= abs(units_at(a, first + chunk.time)[0])
         if not len(values):
             continue
         index = int(values.argmax())
         if values[index] > largest:
             largest, when = float(values[index]), first + index * chunk.loop.period
         squares, count = squares + float(values @ values), count + len(values)
-    size = abs(a.scale.counts) if column == "error" else 1.0
     if rms:
-        return Extreme((squares / count) ** 0.5 / size if count else 0.0, until)
-    return Extreme(largest / size, when)
+        return Extreme((squares / count) ** 0.5 if count else 0.0, until)
+    return Extreme(largest, when)

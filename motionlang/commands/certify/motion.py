@@ -366,21 +366,19 @@ class _Peaks:
 
     def __init__(self, a: Axis, lines: Sequence[CertifiedLimit]) -> None:
         self.lines = {each.name: each for each in lines if each.reached is not None and each.name in _PEAKS}
-        self._a, self._size = a, abs(a.scale.counts)
+        self._a = a
         self._beyond: dict[str, tuple[float, float]] = {}  # by name the worst figure and its time
 
     def take(self, time: float, state: State, datum: float) -> None:
         """Compare a state, in counts, at a time."""
+        counts, _ = self._a.scale_at(time)
         for name, line in self.lines.items():
             order, sign = _PEAKS[name]
             if order:
-                figure, bound = abs(state[order]) / self._size, line.reached or 0.0
+                figure, bound = abs(state[order] / counts), line.reached or 0.0
             else:
                 home = self._a.home or 0.0
-                figure, bound = (
-                    sign * self._a.scale.to_user(state[0] - datum - home),
-                    sign * (line.reached or 0.0),
-                )
+                figure, bound = sign * (state[0] - datum - home) / counts, sign * (line.reached or 0.0)
             if figure > bound + SLACK * max(1.0, abs(bound)) and figure > self._beyond.get(name, (-inf,))[0]:
                 self._beyond[name] = figure, time
 

@@ -65,7 +65,7 @@ def _along(trace: Trace, axis: int, quantity: str, times: Array) -> Array:
     """Return values of one axis at evenly spaced times."""
     step = max(float(times[-1] - times[0]) / (len(times) - 1), 1e-12)
     values = trace.table(axis).sample(float(times[0]), step, len(times), ORDERS[quantity])
-    trace.to_user(axis, quantity, values)
+    trace.to_user(axis, quantity, times, values)
     return values
 
 

@@ -15,6 +15,7 @@ from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
 from math import copysign, isfinite, isnan
+from operator import itemgetter, sub, truediv
 from string import Template
 from sys import float_info
 from types import MappingProxyType
@@ -26,7 +27,7 @@ from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.kernel import Controller, Run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log import GRAVE
-from motionlang.kernel.planners import Piece, pieces_of
+from motionlang.kernel.planners import Piece, pieces_of, recentred
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
@@ -276,25 +277,26 @@ def _track(controller: Controller, axis: int) -> tuple[Row, bool]:
     a = controller.axes[axis]
     starts, pieces = pieces_of(a.starts, a.profiles)
     used = max(1, bisect_right(starts, controller.clock.now))
-    starts, pieces = starts[:used], pieces[:used]
+    track = list(zip(starts[:used], pieces[:used], strict=True))
+    for since, _, _ in a.scales[1:]:  # a piece is in one unit
+        index = bisect_right(starts, since) - 1
+        track.append((since, recentred(pieces[index], since - starts[index])))
+    track.sort(key=itemgetter(0))
+    starts, pieces = map(list, zip(*track, strict=True))
+    counts, zeros = zip(*map(a.scale_at, starts), strict=True)
     positions, *others, amplitudes, _, _ = zip(*pieces, strict=True)
-    zero, counts = a.scale.zero, a.scale.counts or 1.0
-    cubic = [_in_units(positions, zero, counts), *(_in_units(values, 0.0, counts) for values in others)]
+    cubic = [_in_units(map(sub, positions, zeros), counts), *(_in_units(values, counts) for values in others)]
     return {
         "starts": _packed(starts),
         "c": [_packed(row) for row in cubic],
         "waves": {
-            str(i): _numbers(_wave(pieces[i], counts)) for i, height in enumerate(amplitudes) if height
+            str(i): _numbers(_wave(pieces[i], counts[i])) for i, height in enumerate(amplitudes) if height
         },
     }, any(amplitudes) or any(cubic[3])
 
 
-def _in_units(values: Sequence[float], zero: float, counts: float) -> Sequence[float]:
-    """Return counts converted to user units; a repeated value is converted once."""
-    if zero == 0.0 and counts == 1.0:
-        return values
-    converted = {value: (value - zero) / counts for value in set(values)}
-    return [converted[value] for value in values]
+def _in_units(values: Iterable[float], counts: Sequence[float]) -> Sequence[float]:
+    return list(map(truediv, values, counts))
 
 
 def _wave(piece: Piece, counts: float) -> tuple[float, float, float]:

@@ -225,10 +225,10 @@ class Past:
             raise WrongExpression(f"there is no axis {number}")
         state = axis.at(self.time)
         if what == "velocity":
-            return axis.scale.to_user(state.velocity, "uu/s")
+            return axis.scale.rate * state.velocity / axis.scale_at(self.time)[0]
         if what == "idle":
             return float(state.velocity == 0.0)
-        return axis.scale.position_to_user(state.position)
+        return axis.place_at(self.time)
 
 
 def _becomes_true(

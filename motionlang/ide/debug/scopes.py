@@ -136,13 +136,14 @@ def _earlier(axis: Axis, moment: float | None) -> list[Variable]:
     """Return position and velocity of an axis at a moment before the stop."""
     if moment is None:
         return []
-    state = axis.at(moment) if axis.index_at(moment) >= 0 else None
-    if state is None:
+    if axis.index_at(moment) < 0:
         return []
     when = f"at {moment:.9g} s"
     return [
-        Variable(f"position {when}", "uu", axis.scale.position_to_user(state.position)),
-        Variable(f"velocity {when}", "uu/s", axis.scale.to_user(state.velocity, "uu/s")),
+        Variable(f"position {when}", "uu", axis.place_at(moment)),
+        Variable(
+            f"velocity {when}", "uu/s", axis.scale.rate * axis.velocity(moment) / axis.scale_at(moment)[0]
+        ),
     ]
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable
+from operator import itemgetter
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, TimedCall
@@ -93,6 +94,7 @@ class Axis:
         "ramp",
         "s_ramp",
         "scale",
+        "scales",
         "shape",
         "speed",
         "starts",
@@ -110,6 +112,8 @@ class Axis:
     def __init__(self, index: int, controller: ControllerState) -> None:
         self.index, self.controller, self.clock = index, controller, controller.clock
         self.scale = Scale()
+        # The scales of its motion in order: since when (s), counts of a user unit, zero in counts.
+        self.scales = [(0.0, 1.0, 0.0)]
         self.enabled = True
         self.faults = 0
         self.locks = 0  # faults that must be cleared before the axis accepts a motion
@@ -215,6 +219,25 @@ class Axis:
         dropped = self.profiles[:count]
         del self.starts[:count], self.profiles[:count]
         return dropped
+
+    def set_scale(self, counts: float, rate: float, zero: float) -> None:
+        """Set the conversion between user units and counts; the first one applies from power-up."""
+        self.scale.set(counts, rate, zero)
+        if len(self.starts) == 1 or self.scales[-1][0] == self.clock.now:
+            since = self.scales.pop()[0]
+            self.scales.append((since, counts, zero))
+        elif self.scales[-1][1:] != (counts, zero):
+            self.scales.append((self.clock.now, counts, zero))
+
+    def scale_at(self, time: float) -> tuple[float, float]:
+        """Return the counts of a user unit and the zero, in counts, at a time."""
+        scales = self.scales
+        return scales[max(bisect_right(scales, time, key=itemgetter(0)) - 1, 0)][1:]
+
+    def place_at(self, time: float) -> float:
+        """Return the commanded position at a time, in the user units of that time."""
+        counts, zero = self.scale_at(time)
+        return (self.position(time) - zero) / counts
 
     def index_at(self, time: float) -> int:
         """Return the index of the profile in force at a time; -1 before power-up."""

@@ -106,7 +106,7 @@ class Controller(Readings):
 
     def set_scale(self, axis: int, counts: float, rate: float = 1.0, zero: float = 0.0) -> None:
         """Set the conversion between user units and counts."""
-        self.axes[axis].scale.set(counts, rate, zero)
+        self.axes[axis].set_scale(counts, rate, zero)
         self.notify("scale", axis)
 
     def set_wrap(self, axis: int, wrap: float) -> None:

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.pieces import crest_points as crest_points
     from motionlang.kernel.planners.pieces import even_points as even_points
     from motionlang.kernel.planners.pieces import jerk_in as jerk_in
+    from motionlang.kernel.planners.pieces import recentred as recentred
     from motionlang.kernel.planners.pieces import still_points as still_points
     from motionlang.kernel.planners.pieces import velocity_in as velocity_in
     from motionlang.kernel.planners.pvt.motion import plan_pvt as plan_pvt
@@ -70,7 +71,7 @@ PUBLIC = {
     "target": "plan plan_trapezoid",
     "stop": "plan_stop plan_velocity",
     "ramps": "Piece Recipe named_ramps",
-    "pieces": "acceleration_in velocity_in jerk_in crest_points even_points still_points",
+    "pieces": "acceleration_in velocity_in jerk_in crest_points even_points recentred still_points",
     "evaluate": "piece_values",
     "formula": "summit",
     "sample": "ORDERS PieceTable",

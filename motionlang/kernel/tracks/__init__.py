@@ -18,9 +18,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.tracks.trace import Samples as Samples
     from motionlang.kernel.tracks.trace import TraceColumn as TraceColumn
     from motionlang.kernel.tracks.trace import quantity_of as quantity_of
+    from motionlang.kernel.tracks.trace import units_at as units_at
 
 PUBLIC = {
-    "trace": "Samples TraceColumn Array UNITS MOTOR quantity_of",
+    "trace": "Samples TraceColumn Array UNITS MOTOR quantity_of units_at",
     "axes": "axes_of",
     "history": "recall chunks servo_trace servo_traces",
 }

@@ -1,7 +1,7 @@
 """The motion of a run as NumPy columns, sampled on request, at any rate.
 
 Rows are at 0, 1/rate, 2/rate …; the last row is at the exact end of the run, even between two steps of the
-grid. Lengths are in the user units in force when the trace is sampled.
+grid. Lengths are in the user units in force at the time of the row.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from math import ceil, isfinite
 import numpy as np
 from numpy.typing import NDArray
 
+from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.planners.evaluate import piece_values
 from motionlang.kernel.planners.sample import ORDERS, PieceTable
@@ -257,45 +258,51 @@ class Trace:
         table = self.table(axis)
         piece = np.clip(np.searchsorted(table.origins, times, "right") - 1, 0, None)
         values = piece_values(table.columns, piece, times - table.origins[piece], ORDERS[quantity])
-        self.to_user(axis, quantity, values)
+        self.to_user(axis, quantity, times, values)
         return values
 
     def decimals(self, column: TraceColumn) -> int:
         """Return the fewest of `DECIMALS` that show a thousandth of a count; `TIME_DECIMALS` for the time."""
         if column.axis is None:
             return TIME_DECIMALS
-        thousandth = 1e-3 / abs(self.controller.axes[column.axis].scale.counts)
+        thousandth = 1e-3 / max(abs(counts) for _, counts, _ in self.controller.axes[column.axis].scales)
         return next((each for each in DECIMALS if 10.0**-each <= thousandth * (1.0 + 1e-9)), DECIMALS[-1])
 
-    def to_user(self, axis: int, quantity: str, values: Array) -> None:
-        """Convert values in counts to user units, in place; times are always seconds."""
-        scale = self.controller.axes[axis].scale
-        if quantity == "position" and scale.zero:
-            values -= scale.zero
-        if scale.counts != 1.0:
-            values /= scale.counts
+    def to_user(self, axis: int, quantity: str, times: Array, values: Array) -> None:
+        """Convert values in counts to the user units in force at their times, in place; seconds stay."""
+        counts, zeros = units_at(self.controller.axes[axis], times)
+        if quantity == "position":
+            values -= zeros
+        values /= counts
 
     def _fill(
         self, columns: Sequence[TraceColumn], data: Sequence[Array], start: float, step: float, count: int
     ) -> None:
         for column, out in zip(columns, data, strict=True):
             if column.axis is not None and column.quantity in MOTOR:
-                self._fill_motor(column.axis, column.quantity, start, step, count, out)
+                self._fill_motor(column.axis, column.quantity, start, step, data[0], out)
             elif column.axis is not None:
                 out[:] = self.table(column.axis).sample(start, step, count, ORDERS[column.quantity])
-                self.to_user(column.axis, column.quantity, out)
+                self.to_user(column.axis, column.quantity, data[0], out)
 
     def _fill_motor(
-        self, axis: int, quantity: str, start: float, step: float, count: int, out: Array
+        self, axis: int, quantity: str, start: float, step: float, times: Array, out: Array
     ) -> None:
         """Fill in motor data of an axis, in user units, volts or N m; 0 without a motor."""
         if axis not in self._readers:
             self._readers[axis] = Reader(self.controller.axes[axis], self.end)
-        self._readers[axis].fill(quantity, start + np.arange(count, dtype=np.float64) * step, out)
+        self._readers[axis].fill(quantity, start + np.arange(len(out), dtype=np.float64) * step, out)
         if quantity == "actual":
-            self.to_user(axis, "position", out)
+            self.to_user(axis, "position", times, out)
         elif quantity == "following error":
-            self.to_user(axis, "velocity", out)  # a difference, which has no zero
+            self.to_user(axis, "velocity", times, out)  # a difference, which has no zero
+
+
+def units_at(a: Axis, times: Array) -> tuple[Array, Array]:
+    """Return the counts of a user unit of an axis and its zero, in counts, at each time."""
+    since, counts, zeros = np.array(a.scales).T
+    index = np.maximum(np.searchsorted(since, times, "right") - 1, 0)
+    return counts[index], zeros[index]
 
 
 def _last_step(rate: float, end: float) -> int:

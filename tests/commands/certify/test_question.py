@@ -131,7 +131,7 @@ ZEROS: dict[str, tuple[str, str, tuple[float, float]]] = {
     "a homing between two moves": ("mnt", f"{MINT}MOVEA(0) = 60 : GO(0) : PAUSE IDLE(0)\n{HOME}{TO_90}", (-1, 90)),
     "the last of two homings": ("mnt", f"{MINT}{HOME}{TO_90}HOMEREFPOS(0) = 5\n{HOME}", (4, 95)),
     "a homing that the run cuts off": ("mnt", f"{MINT}{TO_90}HOMESPEED(0) = 1\n{HOME}", (0, 90)),
-    "another scale": ("mnt", f"{MINT}{TO_90}POS(0) = 0\nSCALE(0) = 2\n", (0, 45)),
+    "another scale": ("mnt", f"{MINT}{TO_90}POS(0) = 0\nSCALE(0) = 2\n", (0, 90)),
     "UO": ("mcl", f"1UO100,{MCCL}1SV500,1MA90,1WS\n", (0, 190)),
     "UO before FE": ("mcl", f"{MCCL}1UO100\n{FIND.format(0)}1MA90,1WS\n", (-1, 90)),
     "POSWRAP": ("mnt", f"{MINT}POSWRAP(0) = 60\n{TO_90}MOVER(0) = 90 : GO(0) : PAUSE IDLE(0)\n", (0, 180)),

@@ -44,13 +44,25 @@ def test_extremes_are_in_user_units() -> None:
     The highest position is that of the start.
     """
     controller = machine()
+    controller.set_scale(0, -2.0)
     controller.move_to(0, 100.0)
     controller.clock.advance(5.0)
-    controller.set_scale(0, -2.0)
     found = extremes(controller.axes[0], 5.0)
     assert (found.lowest.value, found.highest.value) == pytest.approx((-50.0, 0.0))
     assert (found.speed.value, found.acceleration.value) == pytest.approx((25.0, 250.0))
     assert peak_speed(controller.axes[0], 5.0) == pytest.approx(25.0)
+
+
+def test_a_figure_is_in_the_scale_of_its_time() -> None:
+    """One unit is two counts, then half of one, in the middle of a hold after 100 counts at 50."""
+    controller = machine()
+    controller.set_scale(0, 2.0)
+    controller.move_to(0, 100.0)
+    controller.clock.advance(5.0)
+    controller.set_scale(0, 0.5)
+    found = extremes(controller.axes[0], 6.0)
+    assert (found.highest.value, found.highest.time) == pytest.approx((200.0, 5.0))
+    assert (found.speed.value, peak_speed(controller.axes[0], 6.0)) == pytest.approx((25.0, 25.0))
 
 
 def test_an_s_curve_has_its_peaks_inside_its_ramps() -> None:

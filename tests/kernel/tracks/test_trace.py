@@ -90,9 +90,13 @@ def test_nothing_moved_and_no_time_passed_is_one_row() -> None:
 
 def test_a_zero_shifts_positions_only() -> None:
     controller = ballscrew()
+    end = controller.clock.now
     controller.set_scale(0, 1200.0, zero=120_000.0)
     samples = Trace(controller).sample(10.0)
-    assert samples.get(0, "position")[0] == -100.0
+    assert samples.get(0, "position")[[0, -1]].tolist() == [
+        0.0,
+        controller.axes[0].position(end) / 1200.0 - 100.0,
+    ]
     assert samples.get(0, "velocity")[5] == pytest.approx(250.0)
 
 

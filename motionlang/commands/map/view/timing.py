@@ -119,14 +119,15 @@ def _within(spans: Sequence[tuple[float, float]], begin: float, end: float) -> l
 def _velocity(axis: Axis, begin: float, end: float) -> tuple[list[float], list[float]]:
     """Return times, s, and the velocities of an axis, uu/s."""
     starts, profiles = axis.starts, axis.profiles
-    scale = axis.scale.counts or 1.0
     times, values = [], []
     for k in range(POINTS + 1):
         time = begin + (end - begin) * k / POINTS
         index = axis.index_at(time)
         moving = index >= 0 and time - starts[index] <= profiles[index].duration
         times.append(time)
-        values.append(profiles[index].velocity(time - starts[index]) / scale if moving else 0.0)
+        values.append(
+            profiles[index].velocity(time - starts[index]) / axis.scale_at(time)[0] if moving else 0.0
+        )
     return times, values
 
 
