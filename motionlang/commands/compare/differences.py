@@ -175,7 +175,7 @@ def _differences(
 def _times(scale: float, pair: Pair) -> str:
     """Return by how much more or less time a pair takes, and the speeds or the rates that differ."""
     share = pair.recorded.duration / pair.run.duration - 1.0
-    text = f"{significant(abs(100.0 * share), 2)} % {'more' if share > 0.0 else 'less'} time"
+    text = f"{float(significant(abs(100.0 * share), 2)):g} % {'more' if share > 0.0 else 'less'} time"
     size = abs(scale)
     speeds = pair.recorded.speed / size, pair.run.speed
     if not isclose(*speeds, rel_tol=SAME_SHARE):

@@ -106,6 +106,7 @@ class Compared(OutputOptions, RecordingOptions):
             except ProgramError:
                 if self.format == "text":
                     sys.stdout.write(f"{recording.sentence}\n")
+                complain(recording.remarks, table.source, path)
                 raise
         width, colour = table_width(sys.stdout), wants_colour(sys.stdout)
         text = render_comparison(found, width=width, colour=colour, everything=self.all)

@@ -43,6 +43,8 @@ SHEET, SHEET_STEP = (20_000.0, 80_000.0), 1e-4
 SHEET_ZERO = date(1899, 12, 30)
 # Without a unit, times that are so many times as long as the run are in a smaller unit.
 LONGER = 1000.0**0.5
+# A recording so near to a power of 1000 times the length of the run may have another unit.
+NEAR = 1.5
 # Rows take at most so many usual steps each, but for pauses.
 SPAN_STEPS = 3.0
 # Whole numbers that step by so much count no seconds: evenly, or not.
@@ -66,13 +68,13 @@ _MONTHS |= {"mai": 5, "okt": 10, "dez": 12}
 class ClockTimes(NamedTuple):
     """Seconds of the rows, NaN where there are none, since 1970 if they are a `date`, since midnight if a `day`.
 
-    `doubt` says why a unit was chosen without being named, with the factor of it, and `changes` what the clock did,
-    each with the row.
+    `doubt` says why the unit may be wrong, with its factor and the one to try, and `changes` what the clock did, each
+    with the row.
     """
 
     seconds: Array
     kind: Literal["", "date", "day"] = ""
-    doubt: tuple[str, float] | None = None
+    doubt: tuple[str, float, float] | None = None
     changes: tuple[tuple[str, int], ...] = ()
 
     def begin(self, seconds: float) -> str:
@@ -124,13 +126,19 @@ def _of_numbers(values: Array, unit: str, factor: float | None, length: float | 
     if scale is None:
         scale = _epoch_unit(middle, span)
         if scale is not None and scale != 1.0:
-            doubt = "the times are large numbers without a unit", scale
+            doubt = "the times are large numbers without a unit", scale, scale
     if scale is None and _is_sheet(known, middle, span, length):
         begin = datetime.combine(SHEET_ZERO, datetime.min.time(), UTC).timestamp()
         return ClockTimes(begin + values * DAY, "date")
     if scale is None:
         scale, text = _scale_by_length(known, span, length)
-        doubt = (text, scale) if text else None
+        doubt = (text, scale, scale) if text else None
+    elif factor is None and length and span:
+        thousands = round(log10(span * scale / length) / 3.0)
+        times = span * scale / length / 1000.0**thousands
+        if thousands and 1.0 / NEAR < times < NEAR:
+            size = f"{1000.0 ** abs(thousands):.0f} times as {'long' if thousands > 0 else 'short'}"
+            doubt = f"the times are {size} as the run", scale, scale / 1000.0**thousands
     is_date = EPOCH[0] < middle * scale < EPOCH[1] and span * scale < LONGEST
     return ClockTimes(values * scale, "date" if is_date else "", doubt)
 

@@ -53,12 +53,16 @@ def find(table: RecordedTable, name: str) -> str:
     """Return the column with a name or a number.
 
     Case is ignored, and the unit in a name may be omitted. Numbers count from 1. Raises ProgramError, with the
-    alternatives, if there is no such column.
+    alternatives, if there is no such column or several have the name.
     """
     names = list(table.columns)
     plain = {column.strip().lower(): column for column in names}
     wanted = name.strip().lower()
     if wanted in plain:
+        twice = next((k for k, each in enumerate(names, 1) if each == f"{plain[wanted]} ({k})"), 0)
+        if twice:
+            hint = f"choose one by its number: --map {name}={names.index(plain[wanted]) + 1} or --map {name}={twice}"
+            raise ProgramError.of("recording", f"{table.name}: {name} is the name of two columns", hint=hint)
         return plain[wanted]
     without = {bare(column): column for column in reversed(names)}
     if wanted in without:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
+from shlex import quote
 from typing import NamedTuple
 
 import numpy as np
@@ -148,8 +149,10 @@ def _left_out(
 def _clock_remarks(found: ClockTimes, name: str, table: RecordedTable) -> list[Diagnostic]:
     remarks = [warning(text, int(table.lines[row])) for text, row in found.changes]
     if found.doubt is not None:
-        text, scale = found.doubt
-        hint = f"if this is wrong, give the seconds of its unit: --map time={name}*{scale:g}"
+        text, scale, other = found.doubt
+        mapping = f"time={name}*{other:g}"
+        mapping = quote(mapping) if " " in name else mapping
+        hint = f"if this is wrong, give the seconds of its unit: --map {mapping}"
         remarks.append(warning(f"{name}: {text}; taken as {NAMES[scale]}", hint=hint))
     return remarks
 

@@ -141,16 +141,23 @@ def table_of(source: Source) -> RecordedTable:
             f"{source.name} is not a recording: it has fewer than two rows of numbers",
             hint="a recording has columns of numbers, as a drive or a scope exports them to CSV",
         )
-    if not any(len(row) == width for row in head):
-        # A head may be a remark, as numpy writes it.
-        above = [line.strip() for _, line in filled[:_SAMPLED_LINES] if line.lstrip().startswith(REMARKS)]
-        head += [cells for line in above if len(cells := _cells(line.lstrip("#%/ "), separator)) == width]
     short = [at for at, row in zip(numbers, rows, strict=True) if len(row) != width]
-    rows = [row if len(row) == width else (row + [""] * width)[:width] for row in rows]
-    names, units = _names(head, width)
+    rows = [_of_width(row, width) for row in rows]
+    used = max(map(_filled, rows))
+    # A head may be a remark, as numpy writes it.
+    remarks_above = [line.strip() for _, line in filled[:_SAMPLED_LINES] if line.lstrip().startswith(REMARKS)]
+    for above in (head, [_cells(line.lstrip("#%/ "), separator) for line in remarks_above]):
+        fitting = [row for row in above if _filled(row) <= width and len(row) >= used]
+        if fitting:
+            break
+    else:  # names of columns that are empty, or columns without a name
+        timed = [k for k, row in enumerate(head) if len(row) > 1 and any(map(is_time_name, row))]
+        fitting = head[max(timed, key=lambda k: len(head[k])) :] if timed else []
+    names, units = _names([_of_width(row, width) for row in fitting], width)
     columns = dict(zip(names, map(list, zip(*rows, strict=True)), strict=True))
-    if width > 1 and not any(columns[names[-1]]) and not any(row[-1] for row in head if len(row) == width):
-        del columns[names[-1]]  # every line ends with a separator
+    for k in range(width, used, -1):  # lines end with separators
+        if names[k - 1] == f"column {k}":
+            del columns[names[k - 1]]
     remarks = []
     if short:
         remarks.append(
@@ -166,6 +173,15 @@ def table_of(source: Source) -> RecordedTable:
 def warning(message: str, line: int = 0, hint: str = "") -> Diagnostic:
     """Return a warning about a recording."""
     return Diagnostic("recording", message, line, severity="warning", hint=hint)
+
+
+def _filled(cells: Sequence[str]) -> int:
+    """Return the number of cells up to the last one that is not empty."""
+    return max((k for k, cell in enumerate(cells, 1) if cell), default=0)
+
+
+def _of_width(cells: list[str], width: int) -> list[str]:
+    return cells[:width] + [""] * (width - len(cells))
 
 
 def _separator(lines: Sequence[str], separators: Sequence[str]) -> tuple[str, int]:
@@ -200,11 +216,11 @@ def _has_values(cells: Sequence[str]) -> bool:
 
 
 def _names(head: Sequence[Sequence[str]], width: int) -> tuple[list[str], dict[str, str]]:
-    """Return the column names from the rows above the numbers, and their units.
+    """Return the column names from the rows of `width` above the numbers, and their units.
 
     A name that is missing, or that two columns share, is that in the rows above.
     """
-    rows = [row for row in head if len(row) == width and any(row)]
+    rows = [row for row in head if any(row)]
     named = next((row for row in rows if any(is_time_name(cell) for cell in row)), rows[0] if rows else None)
     names = [cell or f"column {k + 1}" for k, cell in enumerate(named or [""] * width)]
     for k, name in enumerate(names):
