@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from errno import ENOENT
 from typing import TextIO
 
 from motionlang.kernel import STDIN, STDIN_NAME, Diagnostic, Run, Source
@@ -25,7 +26,11 @@ def unwritten(file: str, error: OSError) -> Diagnostic:
 
 
 def no_dialect(file: str) -> Diagnostic:
-    """Return the diagnostic of a file whose extension does not identify its language."""
+    """Return the diagnostic of a file whose extension does not identify its language, or that does not exist."""
+    if os.path.isdir(file):
+        return Diagnostic("file", f"no programs in {file}")
+    if file != STDIN and not os.path.lexists(file):
+        return unreadable(file, FileNotFoundError(ENOENT, os.strerror(ENOENT)))
     name = "standard input" if file == STDIN else file
     suffix = os.path.splitext(file)[1]
     what = f"no language has the extension {suffix}" if suffix else "it has no extension"

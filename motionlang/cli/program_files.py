@@ -14,7 +14,8 @@ PATHS = "programs, or folders of programs; default: this folder"
 def programs(paths: Sequence[str], *more: str) -> list[str]:
     """Return the programs among the paths; those of a folder by extension, in order.
 
-    `more` are further extensions of files to return.
+    `more` are further extensions of files to return. One of several folders is returned itself if it has no programs,
+    so that the command names it.
     """
     found: list[str] = []
     suffixes = (*(suffix for name in dialects() for suffix in dialect(name).suffixes), *more)
@@ -22,7 +23,10 @@ def programs(paths: Sequence[str], *more: str) -> list[str]:
         if not os.path.isdir(path):
             found.append(path)
             continue
+        before = len(found)
         for folder, folders, files in os.walk(path):
             folders.sort()
             found += [os.path.join(folder, name) for name in sorted(files) if name.lower().endswith(suffixes)]
+        if len(found) == before and len(paths) > 1:
+            found.append(path)
     return found

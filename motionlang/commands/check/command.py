@@ -14,7 +14,7 @@ from motionlang.cli.option_groups import Findings, Jobs, OnMachine, read
 from motionlang.cli.program_files import PATHS, programs
 from motionlang.commands.check import check as check_program
 from motionlang.commands.check.findings import Found, written
-from motionlang.commands.check.fix import Fixed, Unfixable, fix
+from motionlang.commands.check.fix import Fixed, Unfixable, fix, fix_once
 from motionlang.commands.check.listing import render_steps, render_tree, steps_table
 from motionlang.kernel import (
     DEFAULT_AXES,
@@ -57,6 +57,7 @@ class CheckedFile:
     source: Source | None = None
     diagnostics: Sequence[Diagnostic] = ()
     fixed: Sequence[Fixed] = ()
+    fixable: int = 0
     notes: Sequence[str] = ()
     literals: Sequence[Literal] = ()
     tree: str | None = None
@@ -160,7 +161,7 @@ examples:
             if not self.quiet:
                 note = styled("note:", "note", wants_colour(sys.stdout))
                 sys.stdout.write("".join(f"{note} {each}\n" for each in notes))
-                sys.stdout.write(f"{found.file}: {self._tally(checked, found.file)}\n")
+                sys.stdout.write(f"{found.file}: {self._tally(checked)}\n")
         self._show(checked, found.file)
 
     def _show(self, checked: CheckedFile, file: str) -> None:
@@ -198,12 +199,12 @@ examples:
         }
         return Document([*(table for option, table in asked.items() if getattr(self, option)), *tables])
 
-    def _tally(self, checked: CheckedFile, file: str) -> str:
+    def _tally(self, checked: CheckedFile) -> str:
         """Return the number of findings of a file, and what the option for fixes would correct."""
         fixed = f"{len(checked.fixed)} fixed, " if checked.fixed else ""
         text = f"{fixed}{tally(checked.diagnostics) or 'no problems'}"
-        count = len([each for each in checked.diagnostics if each.fix])
-        if not count or self.fix or file == STDIN_NAME:
+        count = checked.fixable
+        if not count:
             return text
         among = len(checked.diagnostics)
         return f"{text}; --fix corrects {'it' if among == 1 else count if count < among else 'all'}"
@@ -241,7 +242,7 @@ def _literal_lines(source: Source, literals: Sequence[Literal]) -> Iterator[str]
 def _checked_and_fixed(options: Check, file: str) -> CheckedFile:
     """Return what is known of a file after its fixes."""
     checked, program = _checked(options, file)
-    if not options.fix or file == STDIN or program is None:
+    if file == STDIN or program is None:
         return checked
     name, before, language = program.source.name, program, dialect(program.language)
 
@@ -254,6 +255,9 @@ def _checked_and_fixed(options: Check, file: str) -> CheckedFile:
     def differences(text: str) -> list[Diagnostic]:
         return language.port_differences(before, made(text))
 
+    if not options.fix:
+        checked.fixable = len(fix_once(before.source.text, checked.diagnostics, check)[1])
+        return checked
     try:
         fixed = fix(file, checked.diagnostics, check, differences)
         if not fixed:

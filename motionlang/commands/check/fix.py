@@ -63,7 +63,7 @@ def fix(
     left = found
     for again in (check, then):
         for _ in range(MAX_PASSES):
-            text, made, left = _pass(text, left, again)
+            text, made, left = fix_once(text, left, again)
             if not made:
                 break
             fixed += made
@@ -73,7 +73,7 @@ def fix(
     return fixed
 
 
-def _pass(
+def fix_once(
     text: str, found: Sequence[Diagnostic], check: Callable[[str], Sequence[Diagnostic]]
 ) -> tuple[str, list[Fixed], Sequence[Diagnostic]]:
     """Return the text with all fixes that cause no new warning in their lines, these fixes, and what is left."""
@@ -83,18 +83,26 @@ def _pass(
         if not made:
             return text, [], found
         left = check(fixed)
-        lines = {each.line for each in made}
         before = {(each.line, each.code, each.message) for each in found}
-        worse = {
-            each.line
-            for each in left
-            if each.severity == "warning"
-            and each.line in lines
-            and (each.line, each.code, each.message) not in before
-        }
-        if not worse or fixed.count("\n") != text.count("\n"):
+        worse: dict[int, list[int]] = {}
+        for each in left:
+            if each.severity == "warning" and (each.line, each.code, each.message) not in before:
+                worse.setdefault(each.line, []).append(each.column)
+        dropped = {at for line, columns in worse.items() for at in _causes(made, line, columns)}
+        if not dropped or fixed.count("\n") != text.count("\n"):
             return fixed, made, left
-        wanted = [each for each in wanted if each.line not in worse]
+        wanted = [each for each in wanted if (each.line, each.column) not in dropped]
+
+
+def _causes(made: Sequence[Fixed], line: int, columns: Sequence[int]) -> list[tuple[int, int]]:
+    """Return the positions of the fixes of a line at whose new texts there are new warnings; without any, of all."""
+    own, found, shift = [each for each in made if each.line == line], [], 0
+    for each in own:
+        begin = each.column + shift
+        shift += len(each.after) - len(each.before)
+        if any(begin <= column < begin + len(each.after) for column in columns):
+            found.append(each)
+    return [(line, each.column) for each in found or own]
 
 
 def _fixed(text: str, found: Sequence[Diagnostic]) -> tuple[str, list[Fixed]]:
