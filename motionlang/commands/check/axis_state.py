@@ -13,7 +13,7 @@ from functools import reduce
 from operator import itemgetter
 from typing import TYPE_CHECKING, NamedTuple
 
-from motionlang.commands.check.reach import Reach
+from motionlang.commands.check.reach import LOWER, UPPER, Reach
 from motionlang.kernel.lang import TEST, UNTIL, Use
 from motionlang.kernel.lang import AxisKey as Key
 
@@ -35,7 +35,6 @@ NONE = -1
 MAX_ENTRIES = 101
 # The properties that only the paths of a contour use, and those that no motion uses.
 _OF_PATHS = frozenset(("vector speed", "vector accel", "vector decel"))
-_OF_LIMITS = frozenset(("upper limit", "lower limit"))
 
 
 class AxisFacts(NamedTuple):
@@ -48,7 +47,7 @@ class AxisFacts(NamedTuple):
     - `frame`: the distance of the program's zero from the position at power-up in user units, None if
       unknown.
     - `set`: the settings made so far, in user units, those of moves and the software limits.
-    - `stale`: the move settings made before the last change of the scale, which is at offset `scaled`.
+    - `stale`: the settings in an older unit; the last change of the scale, to `scale` if known, is at offset `scaled`.
     - `timed`: the offset of what set a ramp time before any speed was set, None if there is none.
     - `speeded`: a speed may have been set.
     - `zeros`: the move settings that are 0.
@@ -74,6 +73,7 @@ class AxisFacts(NamedTuple):
     set: frozenset[str] = frozenset()
     stale: frozenset[str] = frozenset()
     scaled: int | None = None
+    scale: float | None = None
     timed: int | None = None
     speeded: bool = True
     zeros: frozenset[str] = frozenset()
@@ -102,6 +102,7 @@ class AxisFacts(NamedTuple):
             set=self.set & other.set,
             stale=self.stale & other.stale,
             scaled=self.scaled if self.scaled == other.scaled else None,
+            scale=self.scale if self.scale == other.scale else None,
             timed=self.timed if self.timed == other.timed else None,
             speeded=self.speeded or other.speeded,
             zeros=self.zeros & other.zeros,
@@ -130,6 +131,7 @@ AT_POWER_UP = AxisFacts(
     IDLE,
     target=0.0,
     frame=0.0,
+    scale=1.0,
     speeded=False,
     empty=True,
     span=(0.0, 0.0),
@@ -437,7 +439,10 @@ class Follower:
     def _check_scale(self, act: Use, key: Key, axis: AxisFacts) -> None:
         """Report the settings in an old unit that a motion uses, which `stale` then has."""
         is_path = act.row is not None and act.row.family == "contours"
-        stale = axis.stale & _OF_PATHS if is_path else axis.stale - _OF_PATHS - _OF_LIMITS
+        unused = {f"{side} limit" for side in (UPPER, LOWER) if side not in axis.limited}
+        if act.row is not None and act.row.does("endless"):
+            unused.add("speed")  # it has a speed of its own
+        stale = axis.stale & _OF_PATHS if is_path else axis.stale - _OF_PATHS - unused
         if stale and axis.scaled is not None:
             self._report_problem("scale-after-speed", act, key, axis._replace(stale=stale))
 
@@ -496,7 +501,7 @@ class Follower:
 
     def _at_once(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         assert act.row is not None
-        if act.row.family == "contours":
+        if act.row.family == "contours" or act.row.does("endless"):
             self._check_scale(act, key, axis)
         jogs = act.row.does("endless") and act.number(number) not in (None, 0)
         return axis._replace(
@@ -531,11 +536,16 @@ class Follower:
         )
 
     def _scale(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
+        scale = act.number(number)
+        if scale is not None and scale == axis.scale:
+            return axis
         if axis.motion == MOVES:
             self._report_problem("scale-in-motion", act, key, axis)
         target = axis.target if axis.target == 0 else None
         span = axis.span if axis.span == (0, 0) else None
-        return axis._replace(stale=axis.set, scaled=act.at, set=frozenset(), target=target, span=span)
+        return axis._replace(
+            stale=axis.stale | axis.set, scaled=act.at, scale=scale, set=frozenset(), target=target, span=span
+        )
 
     def _zero(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         if axis.fresh:
@@ -644,7 +654,7 @@ class Follower:
             return axis
         sure = axis.pending is not None
         return axis._replace(
-            stale=axis.set if sure else frozenset(),
+            stale=axis.stale | axis.set if sure else frozenset(),
             scaled=axis.pending,
             set=frozenset(),
             pending=NONE,
@@ -676,7 +686,11 @@ class Follower:
                 unmoved=False,
                 distance=None,
                 off=False,
+                scale=None,
             )
+        side = next((f"{each} limit" for each in (UPPER, LOWER) if act.row.does(each)), "")
+        if side:
+            axis = axis._replace(set=axis.set | {side}, stale=axis.stale - {side})
         fresh = axis.fresh and not act.row.does(
             "target"
         )  # a motion may have been started for its target alone

@@ -204,8 +204,10 @@ class Facts:
         return sides | {side} if side is not None and act.number(number) else sides
 
     def limits_in_force(self, key: Key, axis: AxisFacts) -> frozenset[str]:
-        """Return the sides on which the software limit of an axis acts if it is set."""
-        return frozenset((UPPER, LOWER))
+        """Return the sides on which the software limit of an axis acts if it is set, without those in an old unit."""
+        return frozenset(
+            each for each in (UPPER, LOWER) if axis.scaled is None or f"{each} limit" in axis.set
+        )
 
     def passes_switches(self, key: Key) -> bool:
         """True if the axis may go on at a limit switch."""

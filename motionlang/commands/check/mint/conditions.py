@@ -41,6 +41,26 @@ class Awaited(NamedTuple):
     polls: bool
 
 
+def is_truth_value(node: nodes.Expr) -> bool:
+    """True if an expression is certainly 0 or 1."""
+    if type(node) is nodes.Binary:
+        return node.op in COMPARISONS or node.op in ("And", "Or")
+    if type(node) is nodes.Unary:
+        return node.op == "Not"
+    return type(node) is nodes.Name and node.row is not None and node.row.unit == "bool"
+
+
+def tested(facts: MintFacts) -> Iterator[nodes.Node]:
+    """Yield the conditions of all reachable tests and waits."""
+    for function in facts.functions:
+        reached = facts.reached(function)
+        for p, node in facts.nodes_of(function):
+            if p in reached and type(node) is nodes.Pause:
+                yield node.condition
+            elif p in reached and facts.is_test(p):
+                yield node
+
+
 def awaited(facts: MintFacts, function: Function) -> Iterator[Awaited]:
     """Yield the conditions of every reachable PAUSE, While and Repeat of a function."""
     before = facts.axes.before[function]

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
+from motionlang.commands.check.mint.conditions import COMPARISONS, tested
+from motionlang.kernel.mint.resolve.problems import bracketed
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import meaning, walk
-from motionlang.kernel.tools import nearest
+from motionlang.kernel.mint.syntax.traversal import changed, meaning, walk
+from motionlang.kernel.tools import Spellings, nearest
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mint.mint_facts import MintFacts
@@ -42,6 +45,47 @@ def _own_reads(facts: MintFacts) -> dict[Symbol, int]:
         if symbol is not None and symbol in symbols and not is_called:
             found[symbol] = found.get(symbol, 0) + symbols.count(symbol)
     return found
+
+
+def constants_only(facts: MintFacts) -> Iterator[tuple[Symbol, str]]:
+    """Yield each undeclared variable that is named like a keyword and not used as a variable, and what may be meant.
+
+    It is only tested and assigned constants, as `OUT4`, or never has another value than 0, as `TIMER` for TIME.
+    """
+    given: dict[Symbol | None, set[float | None]] = {}
+    for kind in (nodes.Assign, nodes.Input, nodes.For, nodes.Name):
+        for node in facts.of_kind(kind):
+            for name in changed(node):
+                value = facts.number(node.values[0]) if isinstance(node, nodes.Assign) else None
+                given.setdefault(meaning(name), set()).add(value)
+    tests = Counter(meaning(each) for each in _tested(facts))
+    table = facts.names.table
+    words = Spellings(row.name for row in table if row.simulated and row.kind != "statement")
+    left = MAX_SUGGESTIONS
+    for symbol, _ in variables(facts):
+        values = given.get(symbol, {None})
+        if symbol.declared or None in values or not 0 < symbol.uses == tests[symbol] or not left:
+            continue
+        meant = bracketed(symbol.name, table)
+        if meant is None and values == {0.0}:
+            left -= 1
+            meant = words.nearest(symbol.name, 0.75)
+        if meant is not None:
+            yield symbol, meant
+
+
+def _tested(facts: MintFacts) -> Iterator[nodes.Name]:
+    """Yield the names that conditions test, alone or in a comparison."""
+    for condition in tested(facts):
+        left = [condition]
+        while left:
+            each = left.pop()
+            if type(each) is nodes.Binary and (each.op in COMPARISONS or each.op in ("And", "Or")):
+                left += [each.left, each.right]
+            elif type(each) is nodes.Unary and each.op == "Not":
+                left.append(each.operand)
+            elif type(each) is nodes.Name:
+                yield each
 
 
 class Suggestions:

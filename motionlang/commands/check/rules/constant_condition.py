@@ -1,4 +1,4 @@
-"""A condition compares constants, or has a number that is not compared as an operand of And or Or."""
+"""A condition compares constants, inverts the bits of a truth value, or joins a number that is not compared."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from operator import eq, gt, lt, ne
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mint.conditions import COMPARISONS
+from motionlang.commands.check.mint.conditions import COMPARISONS, is_truth_value, tested
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import NUMBER
 from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of
@@ -35,11 +35,8 @@ _KEEPS = frozenset(
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
-    for function in facts.functions:
-        reached = facts.reached(function)
-        for p, node in facts.nodes_of(function):
-            if p in reached and (type(node) is nodes.Pause or facts.is_test(p)):
-                _check_condition(facts, node.condition if type(node) is nodes.Pause else node, warn)
+    for condition in tested(facts):
+        _check_condition(facts, condition, warn)
 
 
 def _check_condition(facts: MintFacts, node: nodes.Node, warn: Warn) -> None:
@@ -55,6 +52,10 @@ def _check_condition(facts: MintFacts, node: nodes.Node, warn: Warn) -> None:
                 _check_condition(facts, side, warn)
     elif type(node) is nodes.Unary and node.op == "Not":
         _check_condition(facts, node.operand, warn)
+    elif type(node) is nodes.Unary and node.op == "~" and is_truth_value(node.operand):
+        sign = facts.module.source.text[node.start]
+        message = f"{sign} inverts bits, and of 0 or 1 makes -1 or -2: this condition is always true"
+        warn(message, node.start, f"write Not instead of {sign}")
 
 
 def _lone_number(node: nodes.Binary, side: nodes.Number, warn: Warn) -> None:
@@ -116,8 +117,8 @@ RULE = Rule(
     group="Control flow",
     text="""\
 Both sides of a comparison are constants; or a number is an operand of And or Or by itself, as in `If n = 1 Or 2 Then`,
-which is always true. There is no warning for a constant alone, because `If _DEBUG Then` is a switch and `While 1` an
-intended endless loop.
+which is always true; or `!` or `~`, which invert bits, stand for Not, as in `PAUSE !INX(5)`. There is no warning for a
+constant alone, because `If _DEBUG Then` is a switch and `While 1` an intended endless loop.
 
 In MCCL: IB, IE, IG or IU compares the accumulator after an AL with a number, and nothing between them can change it.
 """,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mint.variables import Suggestions, variables
+from motionlang.commands.check.mint.variables import Suggestions, constants_only, variables
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl.resolve.command import REGISTER
 from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR, uses_of, variable
@@ -34,6 +34,14 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
             else "assign it in its Dim or before it is read",
             candidates=(near,) if near else (),
         )
+    for symbol, meant in constants_only(facts):
+        hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
+        warn(
+            f"{symbol.name} is tested, and only constants are assigned to it",
+            symbol.at,
+            hint,
+            candidates=(meant,),
+        )
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
@@ -57,7 +65,9 @@ RULE = Rule(
     group="Names",
     text="""\
 A variable is read, but nothing gives it a value: not its Dim, no statement, and no sub to which it is passed. It is
-always 0 or an empty text. There is no warning for arrays and records.
+always 0 or an empty text. There is no warning for arrays and records. Or a variable without a Dim is named like a
+keyword, only constants are assigned to it and it is only tested: `OUT4 = 1` switches no output, and `TIMER` is not
+`TIME`.
 
 In MCCL: a register that no AR stores. There is no warning if a comment has `lint: host`, or if a register is known only
 at run time.

@@ -15,11 +15,12 @@ if TYPE_CHECKING:
 
 # The settings that a scale changes, in the order of a message.
 _ORDER = ("speed", "accel", "decel", "minimum", "vector speed", "vector accel", "vector decel")
+_LIMITS = {"upper limit": "SOFTLIMITFORWARD", "lower limit": "SOFTLIMITREVERSE"}
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
     for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
-        words = ", ".join(sorted(each.upper() for each in axis.stale))
+        words = ", ".join(sorted(_LIMITS.get(each, each.upper()) for each in axis.stale))
         message = f"the scale of axis {spelt(key)} is set after {words}, whose value it changes"
         assert axis.scaled is not None
         warn(message, axis.scaled, "set the scale first")
@@ -29,6 +30,8 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     names = {row.gives: row.name for row in table()}
     for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
         stale = [names[slot] for slot in _ORDER if slot in axis.stale]
+        if not stale:  # soft limits are counts, whichever scale comes first
+            continue
         words, verb = listed(stale), "are" if len(stale) > 1 else "is"
         assert axis.scaled is not None
         message = (
@@ -44,10 +47,10 @@ RULE = Rule(
     code="scale-after-speed",
     group="Motion",
     text="""\
-SPEED, ACCEL and similar settings are stored in counts, so a later SCALEFACTOR changes their value in user units. For
-example, 250 mm/s set at scale 1 is 250 counts per second; after `SCALE(0) = 1200` it is about a fifth of a millimetre
-per second. Set the scale first. The warning is at the scale, and appears only if a move uses such a setting before it
-is set again.
+SPEED, ACCEL, software limits and similar settings are stored in counts, so a later SCALEFACTOR changes their value in
+user units. For example, 250 mm/s set at scale 1 is 250 counts per second; after `SCALE(0) = 1200` it is about a fifth
+of a millimetre per second. Set the scale first. The warning is at the scale, and appears only if a move uses such a
+setting before it is set again.
 
 In MCCL a US is in force only from the next MN on. Speeds, rates and moves between the two are in counts: behind
 `1US1200,1SV250,1SA1250,1MN` an axis moves at 250 counts per second, a fifth of a millimetre. The same holds for a path

@@ -22,13 +22,27 @@ _SILENT = (nodes.End, nodes.Return, nodes.Exit, nodes.Dim, nodes.Const, nodes.De
 def check_mint(facts: MintFacts, warn: Warn) -> None:
     for function in facts.functions:
         reached = facts.reached(function)
-        is_reported = False
-        for p, node in facts.nodes_of(function):
+        is_reported, before = False, -1
+        for p in facts.points[function]:
+            node = facts.nodes_at.get(p)
             if p in reached:
-                is_reported = False
-            elif not is_reported and not isinstance(node, _SILENT):
+                before = p
+                is_reported = is_reported and node is None
+            elif node is not None and not is_reported and not isinstance(node, _SILENT):
                 is_reported = True
-                warn("this statement is unreachable", node.start, "the code before it never ends")
+                warn("this statement is unreachable", node.start, _why(facts.nodes_at.get(before)))
+
+
+def _why(before: nodes.Node | None) -> str:
+    """Return why what follows a statement is not reached."""
+    word = ""
+    if isinstance(before, nodes.Exit):
+        word = f"Exit {before.kind.title()}".strip()
+    elif isinstance(before, nodes.Jump) and before.kind == "goto":
+        word = "Goto"
+    elif isinstance(before, nodes.Return):
+        word = "Return"
+    return f"the {word} before it leads elsewhere" if word else "the code before it never ends"
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:

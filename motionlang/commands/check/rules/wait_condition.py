@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mint.conditions import COMPARISONS
+from motionlang.commands.check.mint.conditions import is_truth_value
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint import table
 from motionlang.kernel.mint.syntax import nodes
@@ -48,15 +48,7 @@ def _waits_for_condition(node: nodes.Assign | nodes.Call) -> bool:
     if type(target) is not nodes.Name or target.row is None or target.row.function != "wait":
         return False
     values = node.values if type(node) is nodes.Assign else target.args or []
-    return len(values) == 1 and _is_condition(meant(values[0]))
-
-
-def _is_condition(node: nodes.Expr) -> bool:
-    if type(node) is nodes.Binary:
-        return node.op in COMPARISONS or node.op in ("And", "Or")
-    if type(node) is nodes.Unary:
-        return node.op == "Not"
-    return type(node) is nodes.Name and node.row is not None and node.row.unit == "bool"
+    return len(values) == 1 and is_truth_value(meant(values[0]))
 
 
 RULE = Rule(
