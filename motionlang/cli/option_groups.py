@@ -180,7 +180,7 @@ class WorldOptions(Command):
         many=True,
     )
     keys_: list[str] = option(
-        "TEXT@S", "keys that the operator presses, such as R@0.5 or {Enter}@2", many=True
+        "TEXT@S", "keys that the operator presses, such as R@0.5, {Enter}@2 or {Esc}@3", many=True
     )
 
     def entries(self) -> dict[str, list[str]]:

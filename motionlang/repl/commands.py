@@ -67,7 +67,7 @@ def without_dot(line: str) -> str:
     """Return the dot command that a rejected line most likely means, or ""."""
     word, _, argument = line.strip().partition(" ")
     command = COMMANDS.get({"exit": "quit", "bye": "quit", "?": "help"}.get(word.lower(), word.lower()))
-    if command is None or (argument and not command.argument):
+    if command is None or (argument and (word == "?" or not command.argument)):
         return ""
     return f".{command.name} {argument}".rstrip()
 

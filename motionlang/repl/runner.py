@@ -53,6 +53,7 @@ class Runner:
         # command.
         idle = _Passing(wait_until(machine, 0.0, 0.0))
         self._scheduler = machine.scheduler = Scheduler(machine.controller, idle, poll)
+        self._scheduler.gives_up = True
         self.interactive = dialect.interactive(machine)
 
     def execute(self, source: Source) -> bool:
@@ -105,6 +106,8 @@ class Runner:
         scheduler.tasks = [task, *(each for each in scheduler.tasks if each is not before and not each.done)]
         scheduler.interrupts = [each for each in scheduler.interrupts if not each.done]
         scheduler.current = task
+        for axis in self.machine.controller.axes.values():
+            axis.zeroed_at = -1  # an offset in the text of an earlier command
 
     def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
         """Call `work`; report any error and keep the machine running."""
@@ -122,8 +125,12 @@ class Runner:
         except Stuck as stuck:
             message = f"the command waits {stuck.wait.why}, which can never happen"
             program = self.dialect.program(source) if source.text.strip() else None
+            if program is not None and program.errors:  # it has names of earlier lines
+                program = None
             blocked = self.dialect, program, self.machine, stuck.task, stuck.wait
-            hint = what_ends(*blocked, at_prompt=True) or what_frees(*blocked) or "start a move first"
+            hint = (
+                what_ends(*blocked, at_prompt=True) or what_frees(*blocked) or "start what changes it first"
+            )
             self._report_at(source, self._scheduler.parent.at, "never", message, hint)
         except Exception as error:
             self._drop_if_broken(error)

@@ -58,7 +58,9 @@ def test_pace_is_called_when_a_background_task_continues() -> None:
 
 def test_a_command_that_never_ends_is_ended_after_a_shift() -> None:
     session = Session(dialect("mccl"))
-    assert "error[limit]" in session.feed("WA1000,RP")
+    assert "error[never]" in session.feed("WA1000,RP")
+    session.reset()
+    assert "error[limit]" in session.feed("WA1000,AA1,RP")
     assert session.machine.controller.clock.now == pytest.approx(ONE_SHIFT)
     assert session.feed("1TP") == "01 0\n"
 

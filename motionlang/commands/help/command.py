@@ -142,8 +142,15 @@ examples:
         if self._wants_all:
             words |= {*COMMANDS, *CODES}
         found, omitted = search(name, tables)
+        meant = {
+            each: [row for row in table if name.upper() in row.meant.split()]
+            for each, table in tables.items()
+        }
+        meant = {each: rows for each, rows in meant.items() if rows}
+        found = found or meant
         near = nearest(name, sorted(words))
-        if not found or (" " not in name and near is not None and _is_misspelt(name, near, found)):
+        is_word = " " not in name and not meant
+        if not found or (is_word and near is not None and _is_misspelt(name, near, found)):
             what, hint = "command, keyword or diagnostic", "help, help keywords and help codes list all"
             if not self._wants_all:
                 what, hint = "keyword", "motionlang help keywords lists all keywords"

@@ -213,7 +213,7 @@ class Polls:
         if last is not None and (end - last[0] <= late):
             return last
         for kind, number in sorted(reads, key=str):
-            if kind == "position":
+            if kind in ("position", "following"):
                 axis = self._motions.moving_at(number, end)
                 if axis is not None:
                     return end, MOVING, (axis,)
@@ -241,7 +241,7 @@ class Polls:
 
     def _changed(self, kind: str, number: int | None, begin: float, end: float) -> float | None:
         """Return when something last changed after `begin` and up to `end`."""
-        if kind in ("axis", "position"):
+        if KINDS[kind] == "axis":
             return self._motions.last_end(number, begin, end)
         if self._changes is None:
             log = self._run.controller.log

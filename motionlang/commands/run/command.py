@@ -69,6 +69,15 @@ examples:
         return simulate(program, settings, None, pace)
 
     def extend(self, result: Result) -> None:
+        log = result.machine.log
+        if (
+            result.status == "ended"
+            and result.program is not None
+            and not (log.moves or log.prints or log.outputs)
+        ):
+            from motionlang.commands.check import check
+
+            result.diagnostics += check(result.program)  # why nothing came of it
         if any(key.startswith("budget.") for key in result.machine.settings):
             from motionlang.commands.profile.budget import within_budget
 

@@ -80,6 +80,8 @@ class Dialect:
     comment: str
     # What of a program changes a variable while a task waits, for hints.
     others = "another task"
+    # What gives a loop without an end one, for hints.
+    ends_loops = "RP10 ends after ten repetitions, and BK or a jump leads out"
     # Verbs of commands whose parameter is a macro or a position in the program, and so no quantity.
     jumps: frozenset[str] = frozenset()
 

@@ -29,7 +29,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.kernel.lang.steps import HEAD, NOTE
-from motionlang.kernel.lang.wait_causes import LoopDependencies, Read
+from motionlang.kernel.lang.wait_causes import KINDS, LoopDependencies, Read
 
 if TYPE_CHECKING:
     from motionlang.kernel.lang.structure import Statement, Structure, Use
@@ -38,8 +38,7 @@ if TYPE_CHECKING:
 Variable = tuple[str, int]
 # In place of a variable: the points that end a loop.
 _END: Variable = ("end", 0)
-# The readings of axes, and those that the brackets number unless they have a bank or an axis.
-_OF_AXES = ("axis", "position")
+# The readings that the brackets number unless they have a bank or an axis.
 _NUMBERED = ("input", "analogue", "encoder", "latch")
 
 
@@ -325,7 +324,7 @@ def _read(use: Use) -> list[Read]:
     if row is None or row.reads in ("", "variable") or (use.role != "read" and "R" in row.access):
         return []
     numbers: tuple[object, ...] = ()
-    if row.reads in _OF_AXES:
+    if KINDS.get(row.reads) == "axis":
         numbers = use.axes
     elif row.reads in _NUMBERED and row.index not in ("bank", "axis"):
         numbers = use.numbers

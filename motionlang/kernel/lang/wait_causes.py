@@ -11,6 +11,7 @@ Read = tuple[str, int | None]
 KINDS = {
     "axis": "axis",
     "position": "axis",
+    "following": "axis",
     "input": "input",
     "latch": "condition",
     "analogue": "input",

@@ -28,7 +28,9 @@ SOON = 0.5
 MAX_NAMED = 3
 # The levels and the keys that are tried.
 LEVELS = range(101)
-KEYS = (*map(chr, range(33, 127)), "\r")
+# The kinds of readings that a motion can change.
+_OF_AXES = ("axis", "position", "following")
+KEYS = (*map(chr, range(33, 127)), "\r", "\x1b", "\t")
 
 
 def what_ends(
@@ -150,10 +152,12 @@ def what_frees(dialect: Dialect, program: Program | None, machine: Machine, task
     if wait.cause == "axis":
         axes = [("axis", number) for number in wait.what]
     else:
+        if wait.why == "for its loop to end":
+            return dialect.ends_loops
         leaves = _reads(program, task, wait)
         if not leaves and _is_of_program(program, task):
             return f"let {dialect.others} change it: this task does nothing while it waits"
-        axes = sorted((kind, n) for kind, n in leaves if kind in ("axis", "position") and n is not None)
+        axes = sorted((kind, n) for kind, n in leaves if kind in _OF_AXES and n is not None)
     found = next(filter(None, (_frees(program, machine.controller, *each) for each in axes)), "")
     return found or _raises(program, machine)
 
@@ -182,6 +186,10 @@ def _is_input(use: ChannelUse) -> bool:
 
 def _frees(program: Program | None, controller: Controller, kind: str, axis: int) -> str:
     a = controller.axes[axis]
+    if kind == "following" and a.feedback is None:
+        return (
+            f"axis {axis} has no motor and no following error: [axis.{axis}.plant] of the machine file is one"
+        )
     if a.suspended and (a.move is not None or a.buffer):
         return f"resume axis {axis} first: it is suspended"
     if a.move is None and a.buffer and not a.buffer[0].released:

@@ -53,6 +53,7 @@ class Mint(Dialect):
     suffixes = (".mnt", ".mntx", ".prg")
     first_axis = 0
     others = "another task or an Event"
+    ends_loops = "Exit Loop leaves it"
     comment = "'"
 
     def program(

@@ -256,7 +256,10 @@ TABLES: dict[str, dict[str, tuple[str, str]]] = {
     },
     "key": {
         **_ACTS,
-        "text": ("text", "The keys that the operator presses, for INKEY; {Enter} is one of them."),
+        "text": (
+            "text",
+            "The keys that the operator presses, for INKEY; {Enter}, {Esc} and {Tab} are keys, too.",
+        ),
         "for": ("positive", "Time that the last key is held, in seconds, for READKEY. Default 0.1."),
         "terminal": _TERMINAL,
         "guess": _GUESS,

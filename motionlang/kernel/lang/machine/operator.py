@@ -21,8 +21,8 @@ Entry = Mapping[str, object]
 PRESS_TIME = 0.1
 # More than anyone types ahead.
 MAX_KEYS = 10_000
-# How Enter is spelt among other keys.
-ENTER = "{Enter}"
+# How keys without a character are spelt among others.
+_NAMED = {"{Enter}": "\r", "{Esc}": "\x1b", "{Tab}": "\t"}
 _ENTER, _BACK = "\r\n", "\b\x7f"
 
 
@@ -90,7 +90,9 @@ class Operator:
 
     def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""
-        codes = [ord(each) & 0xFF for each in text.replace(ENTER, "\r")]
+        for name, key in _NAMED.items():
+            text = text.replace(name, key)
+        codes = [ord(each) & 0xFF for each in text]
         if not codes or len(self.keys) + len(codes) > MAX_KEYS:
             return
         self.keys += codes
@@ -100,7 +102,7 @@ class Operator:
     @staticmethod
     def typed(code: int) -> str:
         """Return the text of `--keys` that presses a key."""
-        return f"'{ENTER}'" if code == ord("\r") else chr(code)
+        return next((f"'{name}'" for name, key in _NAMED.items() if code == ord(key)), chr(code))
 
     def next_key(self) -> int:
         """Return the next pressed key, or 0 if there is none."""

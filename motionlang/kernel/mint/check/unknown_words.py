@@ -49,7 +49,9 @@ def unknown_name(b: Body, node: nodes.Name) -> None:
         rows = [row.name for row in b.program.table if row.kind not in ("statement", "command")]
         return [word for word in (*symbols, *rows) if word.startswith("_") or not is_constant]
 
-    hint = "" if node.args is not None else "a variable must be declared or assigned to before it is read"
+    hint = "a variable must be declared or assigned to before it is read"
+    if node.args is not None:
+        hint = f"an array needs a Dim, as in Dim {node.name}(10), and a function its Function"
     if is_constant:
         hint = f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
     problems, table = b.program.problems, b.program.table

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from motionlang.kernel.lang.keyword import Keyword
+from motionlang.kernel.mint.keywords.event_kinds import KINDS
 
 
 def _word(name: str, help: str, example: str, short: str = "",
-          driven: str = "") -> Keyword:  # fmt: skip
+          driven: str = "", meant: str = "") -> Keyword:  # fmt: skip
     return Keyword(name, short, "statement", "C", "none", "", name.lower(), help, example,
-                   group="language", driven=driven)  # fmt: skip
+                   group="language", driven=driven, meant=meant)  # fmt: skip
 
 
 ROWS = (
@@ -57,8 +58,9 @@ ROWS = (
     _word("Task", "A part of the program that runs in parallel with the parent task once it is Run.",
           "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task"),
     _word("Run", "Start a task.", "Run Blink\nWAIT = 10\nEnd\nTask Blink\n  PRINT \"blink\"\nEnd Task"),
-    _word("Event", "Handler of an event, run between two statements of the tasks.",
-          "TIMEREVENT = 100\nWAIT = 350\nEnd\nEvent TIMER\n  PRINT \"tick\"\nEnd Event"),
+    _word("Event", "Handler of an event such as TIMER, IN3 or ONERROR, run between two statements of the tasks.",
+          "TIMEREVENT = 100\nWAIT = 350\nEnd\nEvent TIMER\n  PRINT \"tick\"\nEnd Event",
+          meant=" ".join(KINDS).upper()),
     _word("Startup", "Statements that are done before anything else.",
           "PRINT \"main\"\nStartup\n  PRINT \"startup\"\nEnd Startup"),
     _word("Auto", "Start the program at power-up.", "Auto\nPRINT \"started\""),
@@ -74,12 +76,13 @@ ROWS = (
           "Dim s As Semaphore\ns = _TRUE\nPRINT s\ns = _FALSE"),
     _word("Controller", "Another controller on a network.", ""),
     _word("Using", "The width and the decimals that PRINT gives a value.", "PRINT 1.5 USING 8, 2"),
-    _word("And", "True when both sides are; the right side is not evaluated if the left one is false.",
-          "PRINT 1 And 0"),
-    _word("Or", "True when one side is; the right side is not evaluated if the left one is true.",
-          "PRINT 1 Or 0"),
+    _word("And", "True when both sides are; the right side is not evaluated if the left one is false. & works on bits.",
+          "PRINT 1 And 0", meant="&"),
+    _word("Or", "True when one side is; the right side is not evaluated if the left one is true. | works on bits.",
+          "PRINT 1 Or 0", meant="|"),
     _word("Xor", "The bits that are set in one of two numbers and not in the other.", "PRINT 1 Xor 3"),
-    _word("Not", "True when its operand is false.", "PRINT Not 0"),
+    _word("Not", "True when its operand is false. ~, in v4 also !, inverts bits: 0 or 1 becomes -1 or -2, both true.",
+          "PRINT Not 0", meant="~ !"),
     _word("Mod", "The remainder of a division, with the sign of the dividend.", "PRINT 7 Mod 3"),
     _word("To", "The upper end of a For or of a Case range.", "For i = 1 To 3\n  PRINT i\nNext"),
     _word("Is", "A comparison in a Case.",

@@ -56,7 +56,7 @@ ROWS = (
             "MOVER(0) = 100\nGO(0)\nPRINT POSREMAINING(0)", default=0.0, group="state", changes="motion", solved=True),
     Keyword("FOLERROR", "FE", "reading", "R", "axis", "uu", "following_error",
             "Following error, demanded minus actual position: 0 where no motor is simulated.",
-            "PRINT FOLERROR(0)", default=0.0, group="state", changes="motion", solved=True),
+            "PRINT FOLERROR(0)", default=0.0, group="state", changes="motion", solved=True, reads="following"),
     Keyword("MOVEBUFFERFREE", "", "reading", "R", "axis", "integer", "room",
             "Free places in the move buffer of the axis.",
             "MOVER(0) = 10\nPRINT MOVEBUFFERFREE(0)\nGO(0)", default=2.0, group="state"),

@@ -121,7 +121,7 @@ class Environment(Waits):
     def _held(self, what: str, axis: int) -> None:
         a = self.controller.axes[axis]
         move, at = a.move, a.zeroed_at
-        if self.holds.get(axis) == at:
+        if at >= 0 and self.holds.get(axis) == at:
             return
         self.holds[axis] = at
         line = self.line_of(at) if at >= 0 and self.line_of is not None else 0 if move is None else move.line
