@@ -20,6 +20,7 @@ from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.servo.axis_loop import has_gains
 from motionlang.kernel.servo.replay import replay, whole
 from motionlang.kernel.servo.samples import REST_ERROR
+from motionlang.kernel.servo.settings import SERVO
 from motionlang.kernel.servo.trace import ServoTrace
 
 Array = NDArray[np.float64]
@@ -271,12 +272,14 @@ def chunk_column(chunk: ServoTrace, quantity: str) -> Array:
 
 
 def notes(controller: Controller) -> list[str]:
-    """Return notes for the report: gains never set, and gains without effect."""
+    """Return notes for the report: gains never set, without effect, or for another servo rate."""
     found = []
     for number, feedback in motors(controller).items():
         chosen = feedback.chosen
         if chosen is None:
             continue
+        # That for which `motionlang servo` tunes the gains of the machine file.
+        tuned: float = feedback.section.get("servo_rate", SERVO["servo_rate"].default)  # type: ignore[assignment]
         if chosen.gains == "suggested":
             found.append(
                 f"axis {number}: its motor has no gains; it ran with those suggested for {chosen.bandwidth:g} "
@@ -284,4 +287,10 @@ def notes(controller: Controller) -> list[str]:
             )
         elif not has_gains(chosen.loop):
             found.append(f"axis {number}: all gains of its motor are 0, so it does not follow its demand")
+        elif chosen.gains == "machine file" and chosen.loop.servo_rate != tuned:
+            rate = chosen.loop.servo_rate
+            found.append(
+                f"axis {number}: the gains of the machine file act {rate:.10g} times a second here, and {tuned:.10g} "
+                f"times in motionlang servo; servo_rate = {rate:.10g} in [axis.{number}.servo] tunes them for this rate"
+            )
     return found

@@ -206,7 +206,14 @@ def test_a_trace_in_one_object_has_a_limit(monkeypatch: pytest.MonkeyPatch) -> N
             {"bandwidth": 20.0},
             ["axis 0: its motor has no gains; it ran with those suggested for 20 Hz"],
         ),
-        ({"proportional": 0.02}, []),
+        (
+            {"proportional": 0.02},
+            [
+                "axis 0: the gains of the machine file act 1000 times a second here, and 4000 times in motionlang "
+                "servo; servo_rate = 1000 in [axis.0.servo] tunes them for this rate"
+            ],
+        ),
+        ({"proportional": 0.02, "servo_rate": 1000.0}, []),
         ({"proportional": 0.0}, ["axis 0: all gains of its motor are 0, so it does not follow its demand"]),
     ],
 )
