@@ -178,6 +178,15 @@ class Exploration:
         # The axes that each line moves.
         self.axes = explorer.axes
 
+    def __getstate__(self) -> dict[str, object]:
+        return {**vars(self), "interrupted": None, "world": self.world._replace(run=self.world.run.time)}  # type: ignore[arg-type]
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        """Play the world again: its run is a living machine, which cannot be sent."""
+        vars(self).update(state)
+        run_in = self._explorer.trials.run_in
+        self.world = self.world._replace(run=run_in(self.world.settings, self.world.run)[0])  # type: ignore[arg-type]
+
     @property
     def begun(self) -> frozenset[int]:
         """The source offsets of the statements that any trial has carried out."""
@@ -346,7 +355,7 @@ def explore(
         if not keeps:
             raise
         found = Exploration(explorer, at.result)
-    explorer.progress = lambda share: None  # what is asked of the result is no part of it
+    explorer.progress = bool  # what is asked of the result is no part of it
     return found
 
 

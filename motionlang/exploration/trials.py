@@ -160,6 +160,11 @@ class Interrupted(Exception):
         self.result = result
 
 
+def nothing_used() -> float:
+    """Return the share of a time that no user has limited."""
+    return 0.0
+
+
 class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces.
 
@@ -173,7 +178,7 @@ class Trials:
         program: Program,
         base: Mapping[str, object],
         most: float,
-        used: Callable[[], float] = lambda: 0.0,
+        used: Callable[[], float] = nothing_used,
     ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self._used = used
@@ -188,6 +193,18 @@ class Trials:
         self.observes = False
         # Where the last trial started, if not at power-up.
         self._start: Start | None = None
+
+    def __getstate__(self) -> dict[str, object]:
+        """Return what another process needs to play on; the last run, a living machine, stays here."""
+        return {
+            name: value
+            for name, value in vars(self).items()
+            if name not in ("_used", "memory", "last", "_start")
+        }
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        vars(self).update(state, _used=nothing_used, _start=None)
+        self.memory = Memory(self.program.structure)
 
     @property
     def is_over(self) -> bool:

@@ -124,6 +124,9 @@ class CriticalPath:
         self._strips: dict[object, Strip] = {}
         self._follow()
 
+    def __getstate__(self) -> dict[str, object]:
+        return {"_strips": self._strips, "_waits": self._waits}
+
     @property
     def waits(self) -> dict[str, list[Wait]]:
         """The waits of each task, including loops that waited."""

@@ -42,11 +42,16 @@ class TimeProfile:
         self._positions = self._chain.positions
         self._groups = _summed(self._chain.grouped())
 
+    def __getstate__(self) -> dict[str, object]:
+        """Return the figures without the run, which is a living machine."""
+        figures = {name: getattr(self, name) for name in ("tasks", "has_tasks", "_slacks")}
+        return {**vars(self), **figures, "run": None}
+
     @cached_property
     def tasks(self) -> list[TaskTime]:
         return task_times(self.run, self._waits)
 
-    @property
+    @cached_property
     def has_tasks(self) -> bool:
         """True if there are tasks in addition to the parent."""
         return bool(self._waits.keys() - {parent_of(self.run)}) or bool(self.run.machine.log.slices)
@@ -102,6 +107,10 @@ class TimeProfile:
 
         The axes had begun together.
         """
+        return self._slacks
+
+    @cached_property
+    def _slacks(self) -> list[Slack]:
         return slacks(self._chain.motions, self._waits)
 
     def sub(self, line: int) -> str:

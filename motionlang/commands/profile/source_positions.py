@@ -31,6 +31,9 @@ class SourcePositions:
         self._at_lines: dict[int, SourcePosition] = {}
         self._known: dict[tuple[int, tuple[int, ...]], SourcePosition] = {}
 
+    def __getstate__(self) -> dict[str, object]:
+        return {**vars(self), "_run": None}
+
     def line(self, at: int) -> int:
         """Return the line of a source offset."""
         if at not in self._lines:

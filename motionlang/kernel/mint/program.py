@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
@@ -90,6 +90,9 @@ class MintProgram(Program):
         self.values, self.given, self.is_debug = dict(values or {}), dict(given or {}), is_debug
         self._text = text or Text(source)
         self._others: dict[tuple[tuple[str, float | str], ...], MintProgram] = {}
+
+    def __reduce__(self) -> tuple[Callable[..., MintProgram], tuple[object, ...]]:
+        return MintProgram, (self.source, self.settings, self.values, self.given, self.is_debug)
 
     # ------------------------------------------------------------------------------------- the text and its names
 

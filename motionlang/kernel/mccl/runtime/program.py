@@ -5,7 +5,7 @@ Each line is sent when the previous one has ended.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -64,6 +64,9 @@ class MacroFile(Program):
         super().__init__(source, settings)
         self.is_debug, self.values = is_debug, dict(values or {})
         self._text = text or Text(source)
+
+    def __reduce__(self) -> tuple[Callable[..., MacroFile], tuple[object, ...]]:
+        return MacroFile, (self.source, self.settings, self.is_debug, self.values)
 
     @cached_property
     def lines(self) -> list[Line | tuple[Fault, int, int]]:
