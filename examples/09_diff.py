@@ -7,4 +7,5 @@ new = run(Source("new.mnt", "MOVER(0) = 300 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)
 print(diff(old, old).same)  # True
 found = diff(old, new, "time=1ms")
 print(found.same)  # False
-print([(was, now) for _, _, was, now in found.prints])  # [('200.0000', '300.0000')]
+print(*found.differences[0].a)  # axis 0 to 200 at 4472.14 '200.0000'
+print(*found.differences[0].b)  # axis 0 to 300 at 5477.23 '300.0000'

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from motionlang.commands.certify import CertifiedLimit
     from motionlang.commands.compare.comparison import Comparison
     from motionlang.commands.cover import Coverage
-    from motionlang.commands.diff.reports import Difference
+    from motionlang.commands.diff.runs import RunsCompared
     from motionlang.commands.diff.ways import WaysCompared
     from motionlang.commands.improve import Improvement
     from motionlang.commands.map.program_map import ProgramMap
@@ -40,8 +40,6 @@ if TYPE_CHECKING:
 Program = str | os.PathLike[str] | Source
 
 Settings = Mapping[str, object] | str | os.PathLike[str]
-
-Side = Program | Run | Mapping[str, object]
 
 
 def run(
@@ -193,19 +191,21 @@ def _source_of(program: Program) -> Source:
 
 
 @overload
-def diff(old: Side, new: Side, *tolerances: str, explore: Literal[False] = False) -> Difference: ...
+def diff(
+    old: Program | Run, new: Program | Run, *tolerances: str, explore: Literal[False] = False
+) -> RunsCompared: ...
 @overload
 def diff(old: Program, new: Program, *, explore: Literal[True]) -> WaysCompared: ...
-def diff(old: Side, new: Side, *tolerances: str, explore: bool = False) -> Difference | WaysCompared:
-    """Return the difference between two runs.
+def diff(
+    old: Program | Run, new: Program | Run, *tolerances: str, explore: bool = False
+) -> RunsCompared | WaysCompared:
+    """Return the difference between what the tasks of two runs do.
 
-    It covers times, motion, output, events and errors. Each side is a `Run`, a report, or a program to run first.
-    Moves, prints and events are aligned by content, so an inserted line is not a difference. `tolerances` are texts
-    such as "time=1ms", "position=0.01uu" or "speed=2%". The result has `same`, and the differences by kind. With
-    `explore` two programs are compared in all ways that an exploration of either finds: the result has `same`,
-    `differences`, `later` for what only comes at another time, `cycles`, and `left`, the ways that were not compared.
-    Raises ValueError for a wrong tolerance or a report of an unknown version, ProgramError for a
-    program with errors, and the errors of `run`.
+    Each side is a `Run`, or a program to run first. The result has `same`, `differences`, `later` for what comes at
+    another time, `charges` for the lines that take it, and `apart` for the largest difference of a position.
+    `tolerances` are texts such as "time=1ms", "position=0.01uu" or "speed=2%". With `explore` two programs are compared
+    in all ways that an exploration of either finds: the result also has `cycles`, and `left`, the ways that were not
+    compared. Raises ValueError for a wrong tolerance, ProgramError for a program with errors, and the errors of `run`.
     """
     if explore:
         from motionlang.commands.diff.ways import ways_of
@@ -213,11 +213,10 @@ def diff(old: Side, new: Side, *tolerances: str, explore: bool = False) -> Diffe
         if tolerances or not all(isinstance(side, str | os.PathLike | Source) for side in (old, new)):
             raise ValueError("explore=True needs two programs, and no tolerances")
         return ways_of(*(_source_of(side) for side in (old, new)))  # type: ignore[arg-type]
-    from motionlang.commands.diff.reports import checked, difference
+    from motionlang.commands.diff.runs import compared_runs
     from motionlang.commands.diff.tolerance import Tolerance
 
-    tolerance = Tolerance(*tolerances)
-    return difference(checked(_report_of(old)), checked(_report_of(new)), tolerance)
+    return compared_runs(_run_of(old), _run_of(new), Tolerance(*tolerances))
 
 
 def compare(
@@ -301,12 +300,6 @@ def _run_of(program: Program | Run) -> Run:
     if result.program is None and errors:
         raise ProgramError(errors)
     return result
-
-
-def _report_of(side: Side) -> dict[str, object]:
-    if isinstance(side, Run | str | os.PathLike | Source):
-        return _run_of(side).report
-    return dict(side)
 
 
 def _checked(program: Program) -> Program:

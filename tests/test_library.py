@@ -158,7 +158,6 @@ def test_internal_parameters_are_not_public() -> None:
         (lambda: motionlang.plan(distance=20, time=0.6, rule="half"), "third, quarter or equal"),
         (lambda: motionlang.plan(distance=20, time=0.6, rule="third").program("basic"), "mint or mccl"),
         (lambda: motionlang.diff(FEED, FEED, "time=1kg"), "time=1ms"),
-        (lambda: motionlang.diff(FEED, {}), "not a report"),
         (lambda: motionlang.compare(FEED, FEED, {"position.0": "a*b"}), "multiply"),
         (lambda: motionlang.certify(FEED), "axis.N.limits with position, speed"),
         (lambda: motionlang.sweep(FEED, {"axis.0.limits.speed": [1.0]}, keep=["tim"]), "time"),

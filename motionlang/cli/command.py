@@ -90,6 +90,7 @@ class Command:
 
     title: ClassVar[str] = "options"
     epilog: ClassVar[str] = ""
+    removed: ClassVar[Mapping[str, str]] = {}
     # The subcommands of a command that only leads to others, with their summaries.
     commands: ClassVar[Mapping[str, tuple[type[Command], str]]] = {}
     # The words of the command line, for a crash report.
@@ -169,6 +170,7 @@ class Command:
         parser = commands.add_parser(
             name, help=summary, description=textwrap.fill(sentence(summary), 78), epilog=cls.epilog
         )
+        parser.removed = cls.removed
         if cls.commands:
             inner = parser.add_subparsers(metavar=" | ".join(cls.commands), required=True)
             for word, (command, what) in cls.commands.items():

@@ -49,7 +49,7 @@ GROUPS = {
             "commands.improve.command:Improve",
             "find a shorter cycle within the limits of the machine",
         ),
-        "diff": ("commands.diff.command:Diff", "compare two runs, or a program and its golden files"),
+        "diff": ("commands.diff.command:Diff", "compare two programs, values or machines"),
         "compare": (
             "commands.compare.command:Compare",
             "compare a recording from a real controller with the run",

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NoReturn, TypeAlias
 from motionlang.kernel.tools import nearest
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Collection, Mapping, Sequence
 
     from _typeshed import SupportsWrite
 
@@ -24,6 +24,8 @@ class Parser(argparse.ArgumentParser):
 
     # The names of all commands, for a hint on an option that is one.
     verbs: Collection[str] = ()
+    # What replaces each option that a command had in the version before.
+    removed: Mapping[str, str] = {}
 
     def __init__(self, **options: object) -> None:
         options.setdefault("formatter_class", argparse.RawDescriptionHelpFormatter)
@@ -45,8 +47,11 @@ class Parser(argparse.ArgumentParser):
         wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
         if wrong is not None:
             words = self._options() if wrong[1] else {word: word for word in self._words()}
-            if wrong[1] and wrong[1].removeprefix("--") in self.verbs:
-                return f"motionlang {wrong[1].removeprefix('--')} is a command of its own"
+            option = (wrong[1] or "").removeprefix("--")
+            if option in self.removed:
+                return self.removed[option]
+            if option in self.verbs:
+                return f"motionlang {option} is a command of its own"
             near = nearest(wrong[1] or wrong[2], words)
             if near is not None:
                 return f"did you mean {words[near]}?"

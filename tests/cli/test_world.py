@@ -107,12 +107,6 @@ def test_a_sweep_runs_every_variant_in_this_world(cell: Cell) -> None:
     assert [line.split(",")[2][:5] for line in ran.out.splitlines()[1:]] == ["2.000", "2.000"]
 
 
-def test_a_difference_of_worlds(cell: Cell) -> None:
-    cell.write("spool.mnt", SPOOL)
-    ran = cell("diff", "spool.mnt", *WORLD, "--answer", "200", "--input-b", "2=1@0.7")
-    assert ran.out == "printed line 2: '200.0000 at 800' → '200.0000 at 1000'\n"
-
-
 def test_the_prompt(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     """Times count from the moment when the line is typed.
 

@@ -6,13 +6,11 @@ import re
 
 import pytest
 
-from motionlang.commands.diff.reports import difference
-from motionlang.commands.diff.view import diff_lines
+from motionlang.commands.diff.runs import compared_runs, runs_text
 from motionlang.kernel import Source, dialect_of, run
 from motionlang.kernel.mint import table
 from motionlang.kernel.mint.syntax.parser import parse
 from motionlang.kernel.mint.syntax.traversal import names_of
-from motionlang.kernel.report import build
 from tests.cell import cell
 from tests.cli.programs import Cell
 from tests.generated.motion import UNTIL, generate
@@ -66,16 +64,11 @@ def port(seed: int, cell: Cell) -> bool:
     new = Source.read(written)
     models = {"mint4": old, "mintmt": new}
     before, after = (
-        build(run(source, machine={**made.machine, "controller.model": model}, until=UNTIL))
+        run(source, machine={**made.machine, "controller.model": model}, until=UNTIL)
         for model, source in models.items()
     )
-    for report in (before, after):  # the decimals of POS, which the port reports
-        trimmed = (re.sub(r"(\.\d*?)0+\b", r"\1", line) for line in report["output"])
-        report["output"] = [re.sub(r"\.(?!\d)", "", line) for line in trimmed]
-        # A note quotes a wait in the notation of its program.
-        report["notes"] = [re.sub(r"([A-Z])\.(\d+)", r"\1(\2)", note) for note in report["notes"]]
-    found = difference(before, after)
-    assert found.same, f"seed {seed}: {diff_lines(found, None, [], colour=False, most=9)}"
+    found = compared_runs(before, after)
+    assert found.same, f"seed {seed}: {runs_text(found)}"
     return True
 
 

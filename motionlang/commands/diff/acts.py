@@ -1,8 +1,8 @@
 """The acts of a program in a played way, and the differences from those of another program.
 
-An act is a move, a switched output or a printed line. Each task has its own order. Acts have no lines in a comparison:
-a moved sub is no difference. A move is the same if it goes to the same count at the same speed in counts, and is cut
-off in the same manner.
+An act is a move, an output or a printed line. Each task has its own order. Acts have no lines in a comparison: a moved
+sub is no difference. A move is the same if it goes to the same count at the same speed in counts, and is cut off in the
+same manner. Ways are compared with times up to `WITHIN`, two runs of the same world with the tolerance of the user.
 """
 
 from __future__ import annotations
@@ -14,18 +14,21 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.commands.diff.align import aligned
+from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.exploration import PlayedTimeline, described, plain, without_figures
 from motionlang.kernel import Run
 from motionlang.kernel.log import CONTINUED
 
-# An act may come earlier or later by so much, s, and a move may take so much longer.
+# An act of a way may come earlier or later by so much, s, and a move may take so much longer.
 WITHIN, MOTION = 0.025, 1e-3
 # What happens so shortly before the end of a run may come after it in another one, s.
 TAIL = 0.1
 # If an axis is elsewhere by so little, the peak of a short move may differ by this fraction.
 SLOWER = 0.02
-# Positions and speeds have so many digits in a comparison.
-DIGITS = 6
+# Positions and speeds have so many digits in a comparison of ways, and a place at rest so many counts.
+DIGITS, COUNT = 6, 1.0
+# The tolerance of ways.
+IN_WAYS = Tolerance(f"time={WITHIN}s", least=10.0**-DIGITS, shifts=True)
 # The end of a way is no difference: what one side lacks there must be this many times overdue.
 OVERDUE = 2.0
 # Acts are in another order if they are no further apart than so many.
@@ -39,8 +42,8 @@ _PLACES = re.compile(r"\x1b\[(\d+);(\d+)H")
 class ComparedAct(NamedTuple):
     """An act: its times, s, its line, 0 if it is unknown, its subject, "" for a printed line, and words.
 
-    `exact` says how a move was cut off. Its `target` is in counts, None if it has none; so is its `speed`. `place` has
-    the rows and columns of a text on a display.
+    `exact` says how a move was cut off. Its `target` is in counts, None if it has none; so is its `speed`. `unit` is
+    the number of counts in a user unit. `place` has the rows and columns of a text on a display.
     """
 
     begin: float
@@ -52,6 +55,7 @@ class ComparedAct(NamedTuple):
     target: float | None = None
     speed: float = 0.0
     place: str = ""
+    unit: float = 1.0
 
     def __str__(self) -> str:
         return f"{self.subject} {self.words}".strip() if self.subject else f"'{self.words}'"
@@ -61,7 +65,8 @@ class ComparedAct(NamedTuple):
         """The part that two equal acts share; it leaves out where a move is cut off, which depends on a time."""
         if not self.exact:
             return self.subject, self.words, self.place
-        return self.subject, self.exact, None if self.is_cut else self.target, self.speed
+        target = None if self.is_cut or self.target is None else _rounded(self.target)
+        return self.subject, self.exact, target, _rounded(self.speed)
 
     @property
     def kind(self) -> tuple[str, str]:
@@ -114,16 +119,10 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
     """Return what a program did in a played timeline; `line` is that of a source offset, `owner` the task of a line."""
     run, trial = played.run, played.trial
     acts: dict[str, list[ComparedAct]] = defaultdict(list)
-    for each in sorted(_acts(run, line), key=lambda act: act.begin):
+    for each in sorted(acts_of(run, line), key=lambda act: act.begin):
         acts[owner(each.line)].append(each)
-    status = "waits" if not trial.has_ended else trial.status
-    if status == "fault":
-        status = next((each.code for each in run.diagnostics if each.severity == "error"), status)
-    places = {
-        number: (round(axis.position(run.time), 3), axis.scale.position_to_user(axis.position(run.time)))
-        for number, axis in run.controller.axes.items()
-        if axis.is_still and axis.profiles
-    }
+    status = "waits" if not trial.has_ended else status_of(run, trial.status)
+    places = places_of(run)
     until = inf if trial.is_stuck or trial.has_ended else run.time
     stays = [(each.begin, each.end) for each in played.rests]
     changed = max(
@@ -132,7 +131,24 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
     return PlayedWay(dict(acts), status, run.time, until, places, stays, changed, trial.begun, trial.outcomes)
 
 
-def _acts(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
+def status_of(run: Run, status: str) -> str:
+    """Return how a run ended: the code of its error if it has one."""
+    if status != "fault":
+        return status
+    return next((each.code for each in run.diagnostics if each.severity == "error"), status)
+
+
+def places_of(run: Run) -> dict[int, tuple[float, float]]:
+    """Return where the axes rest at the end of a run, by number, in counts and user units."""
+    return {
+        number: (round(axis.position(run.time), 3), axis.scale.position_to_user(axis.position(run.time)))
+        for number, axis in run.controller.axes.items()
+        if axis.is_still and axis.profiles
+    }
+
+
+def acts_of(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
+    """Yield the acts of a run; `line` is that of a source offset."""
     log = run.machine.log
     homes = run.dialect.table().homes
     for move in log.moves:
@@ -143,14 +159,25 @@ def _acts(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
         cut = "" if move.ended == CONTINUED else move.ended
         is_whole = profile.duration < inf and not cut
         end = move.start_time + (profile.duration if is_whole else 0.0)
-        target = _rounded(profile.end) if profile.duration < inf and not is_homing else None
+        target = profile.end if profile.duration < inf and not is_homing else None
         if cut:
             place = round(move.to_user(profile.end), 3) + 0.0
             words = f"{move.command}, cut off at {place:.6g} ({cut})"
-        speed = _rounded(profile.peak_speed)
+        unit, subject = run.controller.axes[move.axis].scale.counts, f"axis {move.axis}"
         yield ComparedAct(
-            move.start_time, end, move.line, f"axis {move.axis}", words, (is_homing, cut), target, speed
+            move.start_time,
+            end,
+            move.line,
+            subject,
+            words,
+            (is_homing, cut),
+            target,
+            profile.peak_speed,
+            unit=unit,
         )
+    for each in log.analogue_outputs:
+        subject, words = f"analogue output {each.channel}", f"to {each.value:.6g}"
+        yield ComparedAct(each.time, each.time, _line(each.at, line), subject, words)
     for each in log.outputs:
         level = "on" if each.value else "off"
         yield ComparedAct(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
@@ -219,8 +246,8 @@ class ComparedActs(NamedTuple):
     pairs: Sequence[tuple[ComparedAct, ComparedAct]]
 
 
-def compared(a: PlayedWay, b: PlayedWay) -> ComparedActs:
-    """Return the differences of what two programs do in a way."""
+def compared(a: PlayedWay, b: PlayedWay, tolerance: Tolerance = IN_WAYS) -> ComparedActs:
+    """Return the differences of what two programs do in a way, or two runs."""
     found: list[ActDifference] = []
     later: list[Later] = []
     pairs: list[tuple[ComparedAct, ComparedAct]] = []
@@ -229,10 +256,10 @@ def compared(a: PlayedWay, b: PlayedWay) -> ComparedActs:
     end = min(a.until, b.until)
     for task in dict.fromkeys((*a.acts, *b.acts)):
         mine, others = ([each for each in one.acts.get(task, ()) if each.begin <= end] for one in (a, b))
-        pairs += _task(mine, others, (a, b), found, later, drift)
+        pairs += _task(mine, others, (a, b), tolerance, found, later, drift)
     found.sort(key=lambda each: each.begin)
     if not found:
-        found += _ends(a, b, {int(axis.split()[1]): far for axis, far in drift.items()})
+        found += _ends(a, b, tolerance, {int(axis.split()[1]): far for axis, far in drift.items()})
     return ComparedActs(found, later, pairs)
 
 
@@ -240,6 +267,7 @@ def _task(
     mine: Sequence[ComparedAct],
     others: Sequence[ComparedAct],
     ways: tuple[PlayedWay, PlayedWay],
+    tolerance: Tolerance,
     found: list[ActDifference],
     later: list[Later],
     drift: dict[str, float],
@@ -256,7 +284,7 @@ def _task(
         is_same = (
             one is not None
             and other is not None
-            and (_is_near(one, other, drift) or _is_time(one, other, lags))
+            and (_is_near(one, other, tolerance, drift) or _is_text(one, other, tolerance, lags))
         )
         if not is_same and not is_end:
             hunk.append((one, other))
@@ -271,7 +299,7 @@ def _task(
         if one is not None and other is not None:
             lags.append(other.end - one.end)
             pairs.append((one, other))
-    _times(pairs, later)
+    _times(pairs, tolerance, later)
     return pairs
 
 
@@ -305,43 +333,47 @@ def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:
     )
 
 
-def _times(pairs: Sequence[tuple[ComparedAct, ComparedAct]], later: list[Later]) -> None:
+def _times(
+    pairs: Sequence[tuple[ComparedAct, ComparedAct]], tolerance: Tolerance, later: list[Later]
+) -> None:
     """Add what takes longer, or comes later behind the act before it, or behind a move that has ended since."""
     lag, before = 0.0, 0.0
     ends: list[tuple[float, float]] = []
     for one, other in pairs:
         ends = [each for each in ends if each[0] >= before]
         causes = [lag, *(late for ended, late in ends if ended <= one.begin + WITHIN)]
-        wait = min((other.begin - one.begin - each for each in causes), key=abs)
-        if abs(wait) > WITHIN:
-            later.append(Later(one, other, wait, False))
-        lasts = (other.end - other.begin) - (one.end - one.begin)
-        if abs(lasts) > MOTION:
-            later.append(Later(one, other, lasts, True))
         lag, before = other.begin - one.begin, one.begin
-        if other.end > other.begin:
-            lag = other.end - one.end
-            ends.append((one.end, lag))
+        wait = min((lag - each for each in causes), key=abs)
+        if abs(wait) > tolerance.of("time", one.begin, other.begin):
+            later.append(Later(one, other, wait, False))
+        spans = one.end - one.begin, other.end - other.begin
+        lasts = spans[1] - spans[0]
+        if abs(lasts) > (MOTION if tolerance is IN_WAYS else tolerance.of("time", *spans)):
+            later.append(Later(one, other, lasts, True))
+        if spans[1] > 0.0:
+            ends.append((one.end, other.end - one.end))
 
 
-def _is_near(one: ComparedAct, other: ComparedAct, drift: dict[str, float]) -> bool:
+def _is_near(one: ComparedAct, other: ComparedAct, tolerance: Tolerance, drift: dict[str, float]) -> bool:
     """True if two acts are the same, but for how far a move of the axis came until it was cut off."""
     if one.subject != other.subject or one.exact != other.exact:
         return False
     if not one.exact:
         return (one.words, one.place) == (other.words, other.place)
+    faster = abs(one.speed - other.speed)
+    as_fast = tolerance.of("speed", one.speed, other.speed, one.unit)
     if one.target is None or other.target is None:
-        return one.target == other.target and one.speed == other.speed
+        return one.target == other.target and faster <= as_fast
     apart, is_cut = abs(one.target - other.target), one.is_cut
-    allowed = drift[one.subject] + (one.speed * WITHIN if is_cut else 0.0)
+    allowed = max(drift[one.subject], tolerance.of("position", one.target, other.target, one.unit))
+    allowed += one.speed * tolerance.size("time") if is_cut else 0.0
     if is_cut and apart <= allowed:
         drift[one.subject] = max(drift[one.subject], apart)
-    is_as_fast = abs(one.speed - other.speed) <= (SLOWER * one.speed if drift[one.subject] else 0.0)
-    return is_as_fast and apart <= allowed
+    return faster <= max(as_fast, SLOWER * one.speed if drift[one.subject] else 0.0) and apart <= allowed
 
 
-def _is_time(one: ComparedAct, other: ComparedAct, lags: Sequence[float]) -> bool:
-    """True if two printed lines differ by figures alone, and those by the time that B is late, in s or ms."""
+def _is_text(one: ComparedAct, other: ComparedAct, tolerance: Tolerance, lags: Sequence[float]) -> bool:
+    """True if two printed lines differ by figures alone, and those within the tolerance, or by a delay in s or ms."""
     if one.subject or other.subject or (one.kind, one.place) != (other.kind, other.place):
         return False
     figures = [
@@ -350,9 +382,11 @@ def _is_time(one: ComparedAct, other: ComparedAct, lags: Sequence[float]) -> boo
         if x != y and _is_figure(x) and _is_figure(y)
     ]
     lag = other.begin - one.begin
-    delays = [lag - each for each in lags if abs(lag - each) > 5e-4]
+    delays = [lag - each for each in lags if abs(lag - each) > 5e-4] if tolerance.shifts else []
     return bool(figures) and all(
-        any(abs((y - x) * unit - each) <= 2e-3 for each in delays for unit in (1e-3, 1.0)) for x, y in figures
+        any(abs((y - x) * unit - each) <= 2e-3 for each in delays for unit in (1e-3, 1.0))
+        or (not tolerance.shifts and tolerance.is_figure(x, y))
+        for x, y in figures
     )
 
 
@@ -368,13 +402,16 @@ def _add(found: list[ActDifference], hunk: Sequence[Row]) -> None:
         found.append(ActDifference(a, b, None, is_order))
 
 
-def _ends(a: PlayedWay, b: PlayedWay, drift: Mapping[int, float]) -> Iterator[ActDifference]:
+def _ends(
+    a: PlayedWay, b: PlayedWay, tolerance: Tolerance, drift: Mapping[int, float]
+) -> Iterator[ActDifference]:
     if a.status != b.status:
         yield ActDifference((), (), (_end(a), _end(b)))
     elif a.status == "waits" and a.is_at_rest and b.is_at_rest:
         for axis in sorted(a.places.keys() & b.places.keys()):
             (counts, place), (other_counts, other) = a.places[axis], b.places[axis]
-            if abs(counts - other_counts) > max(1.0, drift.get(axis, 0.0)):
+            allowed = max(drift.get(axis, 0.0), COUNT if tolerance is IN_WAYS else tolerance.size("position"))
+            if abs(counts - other_counts) > max(allowed, tolerance.of("position", counts, other_counts)):
                 yield ActDifference(
                     (), (), (f"axis {axis} rests at {place:.6g}", f"axis {axis} rests at {other:.6g}")
                 )

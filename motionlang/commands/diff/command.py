@@ -5,17 +5,16 @@ B may also be a recording from a real controller.
 
 from __future__ import annotations
 
-import json
-import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
 from motionlang.cli.option_groups import (
     Language,
+    OutputOptions,
     ProgramOptions,
     WorldOptions,
     given_settings,
@@ -24,42 +23,26 @@ from motionlang.cli.option_groups import (
     with_world,
 )
 from motionlang.cli.output_files import written
-from motionlang.cli.readers import integer
+from motionlang.cli.readers import machine_time
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.compare.options import RECORDED, Compared, is_recording
-from motionlang.commands.diff.charged import Charge, charged
-from motionlang.commands.diff.golden import golden_files
-from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
-from motionlang.commands.diff.reports import checked, difference
+from motionlang.commands.compare.options import is_recording
+from motionlang.commands.diff.runs import MAX_LINES, compared_runs, runs_document, runs_text
 from motionlang.commands.diff.tolerance import Tolerance
-from motionlang.commands.diff.view import MAX_LINES, diff_document, diff_lines, literal_lines, quantity_lines
 from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_page import ways_page
 from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
 from motionlang.commands.playing import explored_program, playing
-from motionlang.commands.quantities import no_cycle_notes, quantity_names, values_of
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
-from motionlang.commands.sweep import Sweep
-from motionlang.commands.sweep.variants import Variants
-from motionlang.commands.sweep.worlds import SUFFIX
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import layered
-from motionlang.kernel.report import build
 from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Document, Table
-from motionlang.views.terminal import wants_colour
 
-SCHEMA = "motionlang.diff/2"
 # With --all the rows of a table are as many as there are.
 MAX_LINES_OF_ALL = 1_000_000
-
-# The name of a quantity, and its value in both runs.
-Kept = tuple[str, object, object]
-# A report, and the run that it is of, unless it was read from a file.
-Side = tuple[dict[str, Any], Run | None]
 
 
 @dataclass
@@ -72,77 +55,60 @@ class InWorld:
 
 
 @dataclass
-class A(Command):
-    """The machine, values and inputs of A alone."""
-
-    title: ClassVar[str] = "A alone"
-    machine_a: str | None = option("M.toml", "the machine file of A; default: the one next to it")
-    set_a: list[str] = option("NAME=VALUE", "set a value for A, as --set of run", many=True)
-    variant_a: int | None = option("N", "use variant N of the sweep next to the program as A", read=integer)
-    input_a: list[str] = option("CHANNEL=VALUE@S", "as --input", many=True)
-    analog_a: list[str] = option("CHANNEL=PERCENT@S", "as --analog", many=True)
-    answer_a: list[str] = option("TEXT", "as --answer", many=True)
-    keys_a: list[str] = option("TEXT@S", "as --keys", many=True)
-
-
-@dataclass
 class B(Command):
-    """The machine, values and inputs of B alone."""
+    """The machine and values of B alone."""
 
     title: ClassVar[str] = "B alone"
     machine_b: str | None = option("M.toml", "the machine file of B; default: the one next to it")
     set_b: list[str] = option("NAME=VALUE", "set a value for B, as --set of run", many=True)
-    variant_b: int | None = option("N", "use variant N of the sweep next to the program as B", read=integer)
-    input_b: list[str] = option("CHANNEL=VALUE@S", "as --input", many=True)
-    analog_b: list[str] = option("CHANNEL=PERCENT@S", "as --analog", many=True)
-    answer_b: list[str] = option("TEXT", "as --answer", many=True)
-    keys_b: list[str] = option("TEXT@S", "as --keys", many=True)
 
 
 @dataclass
-class GivenProgram(WorldOptions, ProgramOptions):
-    """A program of one side, with its machine and what it receives."""
-
-    variant: int | None = None
+class GivenProgram(ProgramOptions):
+    """A program of one side, with its machine and its values."""
 
     @classmethod
     def of(cls, diff: Diff, side: str, file: str) -> GivenProgram:
         """Return what is given for a side, "a" or "b"."""
-        own = {
-            name: getattr(diff, f"{name}_{side}")
-            for name in ("machine", "set", "variant", "input", "analog", "answer")
-        }
-        made = cls(lang=diff.lang, keys_=getattr(diff, f"keys_{side}"), **own)
+        made = cls(lang=diff.lang)
+        if side == "b":
+            made.machine, made.set = diff.machine_b, diff.set_b
         made.file = file
         made.check()
         return made
 
 
 @dataclass
-class Diff(Compared, WorldOptions, A, B, Language):
-    """Compare two runs: programs, machines or variants, or a program and its golden files."""
+class Diff(OutputOptions, WorldOptions, B, Language):
+    """Compare two runs: programs, values or machines, in one world or in all ways."""
 
     title: ClassVar[str] = "comparison"
     epilog: ClassVar[str] = """\
-A and B are programs, or reports written by `run --format json`. B may also be a
-recording from a real controller, in columns; it is compared with the run of A,
-or with A as an older recording, as in `compare`. Without B, A is compared with
-its golden files, or with itself under --set-b, --machine-b or --variant-b.
-Moves, prints and events are aligned by content, so an inserted program line is
-no difference.
+What the tasks of both programs do is compared: their moves, outputs, prints and
+events, in order, with their times and positions. Without B, A is compared with
+itself under --set-b or --machine-b. `motionlang verify` compares a program with
+its golden files, `motionlang compare` with a recording.
 
 exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 
 examples:
-  motionlang diff pick.mnt                       compare with the golden files
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
   motionlang diff old/pick.prg pick.mnt --scenarios    in every world of A
   motionlang diff old/pick.prg pick.mnt --explore    in all ways of either
   motionlang diff pick.mnt --set-b rate=2000     two values of a constant
-  motionlang diff pick.mnt --variant-a 0 --variant-b 12    of pick.sweep.toml
-  motionlang diff pick.mnt drive.csv --map position.0=PosAct
 """
-    a: str = argument("A", "a program, or a report")
+    removed: ClassVar[Mapping[str, str]] = {
+        **{f"{name}-{side}": "write a scenario of the world: motionlang diff A B --scenarios"
+           for name in ("input", "analog", "answer", "keys") for side in "ab"},
+        "set-a": "give the values of A in its program, or swap A and B: --set-b",
+        "machine-a": "put the machine file next to A, or swap A and B: --machine-b",
+        "variant-a": "motionlang sweep shows all variants; --set-b takes the values of one",
+        "variant-b": "motionlang sweep shows all variants; --set-b takes the values of one",
+        "keep": "motionlang sweep FILE --keep shows quantities",
+        "map": "motionlang compare takes recordings, with --map",
+        "delay": "motionlang compare takes recordings, with --delay",
+    }  # fmt: skip
+    a: str = argument("A", "a program")
     b: str | None = argument("B", "another one", default=None)
     scenarios: bool = flag("compare in each scenario of A, too")
     explore: bool = flag("compare two programs in all ways that an exploration of either finds")
@@ -154,12 +120,9 @@ examples:
         "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated",
         many=True,
     )
-    keep: tuple[str, ...] = option(
-        "NAME,…",
-        "quantities to compare, such as peak.0 or cycle(12); motionlang sweep --help lists all",
-        read=quantity_names,
-        default=(),
-    )
+    all: bool = flag("list everything, not only the first rows of each kind")
+    plot: str | None = option("PAGE", "draw the motion of both runs as a page", suffixes=(".html",))
+    until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
 
     def unnamed_files(self) -> list[str]:
         return [*machine_next_to(self.a), *machine_next_to(self.b)]
@@ -169,81 +132,46 @@ examples:
             tolerance = Tolerance(*self.tolerance)
         except ValueError as error:
             raise WrongOption(str(error)) from None
-        other = self.b
-        if other is None and self._has_own_b():
-            other = self.a
+        other = self.b or (self.a if self.set_b or self.machine_b else None)
+        if is_recording(self.a) or (other is not None and is_recording(other)):
+            raise WrongOption(
+                f"a recording is compared by motionlang compare {self.a} {other or 'RECORDING'}"
+            )
+        if other is None or any(each.lower().endswith(".json") for each in (self.a, other)):
+            raise WrongOption(
+                f"give two programs, or --set-b or --machine-b; motionlang verify {self.a} "
+                "compares a program with its golden files"
+            )
         if self.write_scenarios is not None and not self.explore:
             raise WrongOption("--write-scenarios needs --explore")
         if self.explore:
             return self._in_all_ways(other)
-        if other is not None and is_recording(other):
-            return self._recorded(other, tolerance)
-        if is_recording(self.a):
-            raise WrongOption("a recording as A needs another one as B; a program comes before its recording")
-        if self.map or self.delay is not None:
-            raise WrongOption(f"--map and --delay need a recording as B: {', '.join(RECORDED)}")
+        most = MAX_LINES_OF_ALL if self.all else MAX_LINES
         if self.scenarios:
-            return self._in_scenarios(other, tolerance)
-        if other is None and self.a.lower().endswith(".json"):
-            raise WrongOption("a report needs a second report or program: give B")
-        if other is None:
-            old, old_run = self._golden()
-            new, new_run = self._side("a", self.a)
-        else:
-            old, old_run = self._side("a", self.a)
-            new, new_run = self._side("b", other)
-        if old_run is None or new_run is None:
-            for name in ("keep", "plot"):
-                if getattr(self, name):
-                    raise WrongOption(f"--{name} needs two runs, but one side is a report")
-        found = difference(old, new, tolerance)
-        diverged, charges, changed = None, [], []
-        kept: list[Kept] = []
-        if old_run is not None and new_run is not None:
-            from motionlang.commands.diff.motion import divergence
-
-            diverged = divergence(old_run, new_run, tolerance.size("position"))
-            ran = old_run.program is not None and new_run.program is not None
-            if ran and (found.time or found.cycle):
-                charges = charged(old_run, new_run, None if found.time else found.cycle)
-            changed = changed_literals(old_run, new_run)
-            values = values_of(new_run, self.keep)
-            kept = [(name, old, values[name]) for name, old in values_of(old_run, self.keep).items()]
-            olds = {name: old for name, old, _ in kept}
-            for note in dict.fromkeys([*no_cycle_notes(old_run, olds), *no_cycle_notes(new_run, values)]):
-                sys.stderr.write(f"note: {note}\n")
-        lines = _lines(found, diverged, charges, changed, self.all, kept)
-        document = diff_document(found, diverged, charges, changed, kept)
-        self.show(document, "\n".join(lines) + "\n")
+            return self._in_scenarios(other, tolerance, most)
+        a, b = self._side("a", self.a), self._side("b", other)
+        found = compared_runs(a, b, tolerance)
+        self.show(runs_document(found), runs_text(found, most))
         status, page = 0 if found.same else 1, self.plot
-        if page is not None and old_run is not None and new_run is not None:
-            status = max(status, written(page, lambda: write_scope(new_run, page, against=old_run)))
+        if page is not None:
+            status = max(status, written(page, lambda: write_scope(b, page, against=a)))
         return status
 
-    def _in_scenarios(self, other: str | None, tolerance: Tolerance) -> int:
-        if other is None or any(each.lower().endswith(".json") for each in (self.a, other)):
-            raise WrongOption("--scenarios needs two programs")
-        if self.keep or self.plot:
-            raise WrongOption(
-                f"--{'keep' if self.keep else 'plot'} compares in one world, without --scenarios"
-            )
+    def _in_scenarios(self, other: str, tolerance: Tolerance, most: int) -> int:
+        if self.plot:
+            raise WrongOption("--plot compares in one world, without --scenarios")
         worlds: list[InWorld] = []
         for scenario in ["", *scenario_files(self.a)]:
-            old, new = self._side("a", self.a, scenario)[0], self._side("b", other, scenario)[0]
-            found = difference(old, new, tolerance)
-            lines = _lines(found, None, [], [], self.all, [])
-            worlds.append(InWorld(scenario or self.a, found.same, "\n".join(lines)))
+            sides = (self._side("a", self.a, scenario), self._side("b", other, scenario))
+            found = compared_runs(*sides, tolerance)
+            worlds.append(InWorld(scenario or self.a, found.same, runs_text(found, most)))
         table = Table("worlds", list(map(Column, ("world", "same", "differences"))), worlds)
-        shown = (f"{each.world}:{' ' if each.same else chr(10)}{each.differences}\n" for each in worlds)
+        shown = (f"{each.world}:{' ' if each.same else chr(10)}{each.differences}" for each in worlds)
         self.show(Document([table]), "".join(shown))
         return 0 if all(each.same for each in worlds) else 1
 
-    def _in_all_ways(self, other: str | None) -> int:
-        if other is None or any(
-            is_recording(each) or each.lower().endswith(".json") for each in (self.a, other)
-        ):
-            raise WrongOption("--explore needs two programs")
-        for name in ("scenarios", "keep", "tolerance", "until", "map", "delay"):
+    def _in_all_ways(self, other: str) -> int:
+        for name in ("scenarios", "tolerance", "until"):
             if getattr(self, name):
                 raise WrongOption(f"--{name} and --explore exclude each other")
         a = explored_program(GivenProgram.of(self, "a", self.a))
@@ -271,34 +199,21 @@ examples:
         sys.stderr.write(f"{written_files} written to {folder}{missing}\n")
         return 0
 
-    def _has_own_b(self) -> bool:
-        own = (self.set_b, self.machine_b, self.input_b, self.analog_b, self.answer_b, self.keys_b)
-        return any(own) or self.variant_b is not None
-
-    def _recorded(self, path: str, tolerance: Tolerance) -> int:
-        if self.a.lower().endswith(".json"):
-            raise WrongOption("a recording is compared with a program, but A is a report")
-        result = self.a if is_recording(self.a) else self._side("a", self.a)[1]
-        assert result is not None
-        sizes = {"position": tolerance.size("position"), "velocity": tolerance.size("speed")}
-        return self.compare_with(result, path, {name: size for name, size in sizes.items() if size})
-
-    def _side(self, side: str, path: str, scenario: str = "") -> Side:
-        if path.lower().endswith(".json"):
-            return _report(path)
+    def _side(self, side: str, path: str, scenario: str = "") -> Run:
         given = GivenProgram.of(self, side, path)
         language = given.known_language()
         settings: dict[str, object] = given.settings()
         if scenario:
             settings = {**_layered(settings, scenario), **given_settings(given.set, language)}
-        settings = with_world(with_world(settings, self.entries()), given.entries())
-        overrides = given.overrides()
+        settings = with_world(settings, self.entries())
+        program = given.source() if path == STDIN else path
         try:
-            if given.variant is not None:
-                settings, overrides = _variant(path, given.variant, settings, overrides)
-            program = given.source() if path == STDIN else path
             result = run(
-                program, dialect=language.name, machine=settings, until=self.until, overrides=overrides
+                program,
+                dialect=language.name,
+                machine=settings,
+                until=self.until,
+                overrides=given.overrides(),
             )
         except OSError as error:
             raise Refused([unreadable(str(error.filename or path), error)], file=path) from None
@@ -308,14 +223,7 @@ examples:
             raise Refused([Diagnostic("option", f"{path}: {error}")], file=path) from None
         complain(result.diagnostics, result.source, path)
         SIGNALS.end_with(result)
-        return build(result), result
-
-    def _golden(self) -> Side:
-        path = golden_files(self.a)[0]
-        if not os.path.exists(path):
-            missing = Diagnostic("file", f"{self.a}: no {os.path.basename(path)} next to it", hint="give B")
-            raise Refused([missing], file=self.a)
-        return _report(path)
+        return result
 
 
 def _layered(settings: dict[str, object], scenario: str) -> dict[str, object]:
@@ -329,52 +237,6 @@ def _layered(settings: dict[str, object], scenario: str) -> dict[str, object]:
     return both
 
 
-def _variant(
-    program: str, number: int, settings: dict[str, object], overrides: dict[str, float | str]
-) -> tuple[dict[str, object], dict[str, float | str]]:
-    path = os.path.splitext(program)[0] + SUFFIX
-    if not os.path.isfile(path):
-        raise ValueError(f"there is no {os.path.basename(path)} next to it")
-    variants = Variants.of_file(path)
-    worlds = variants.worlds()
-    made = Sweep(
-        program,
-        variants.space(worlds),
-        machine=settings,
-        overrides=overrides,
-        worlds=worlds,
-        until=variants.until,
-    )
-    if not 0 <= number < len(made.space):
-        raise ValueError(f"no variant {number}: {os.path.basename(path)} has 0 to {len(made.space) - 1}")
-    return made.job.of(made.space[number])
-
-
-def _report(path: str) -> Side:
-    try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            return checked(json.load(file)), None
-    except OSError as error:
-        raise Refused([unreadable(path, error)], file=path) from None
-    except (ValueError, RecursionError) as error:
-        is_json = not isinstance(error, json.JSONDecodeError | RecursionError)
-        why = "cannot be compared with" if is_json else "is not JSON"
-        raise Refused([Diagnostic("file", f"{path} {why}: {error}")], file=path) from None
-
-
 def _write_page(path: str, text: str) -> None:
     with replacing(path) as file:
         file.write(text.encode())
-
-
-def _lines(
-    found: Any,
-    diverged: Any,
-    charges: Sequence[Charge],
-    changed: Sequence[ChangedLiteral],
-    everything: bool,
-    kept: Sequence[Kept],
-) -> list[str]:
-    most = MAX_LINES_OF_ALL if everything else MAX_LINES
-    lines = diff_lines(found, diverged, charges, colour=wants_colour(sys.stdout), most=most)
-    return [*literal_lines(changed, most), *quantity_lines(kept), *(lines or ["no difference"])]

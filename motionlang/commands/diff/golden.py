@@ -8,16 +8,21 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from math import inf
+from typing import Any
 
-from motionlang.commands.diff.reports import difference
-from motionlang.commands.diff.tolerance import EXACT
-from motionlang.commands.diff.view import diff_lines
+from motionlang.commands.diff.acts import ComparedAct, PlayedWay, compared
+from motionlang.commands.diff.tolerance import Tolerance
+from motionlang.commands.diff.ways_view import difference_words, later_words
 from motionlang.kernel import Run
 from motionlang.kernel.files import replacing
-from motionlang.kernel.report import text
+from motionlang.kernel.report import SCHEMA, text
 
 MAX_DIFFERENCES = 8
+# Fields that are no result: a program may get lines, and new assumptions.
+PLACES = frozenset(("line", "column", "program", "schema", "assumptions"))
+EXACT = Tolerance()
 
 
 def golden_files(program: str) -> tuple[str, str]:
@@ -27,14 +32,14 @@ def golden_files(program: str) -> tuple[str, str]:
 
 
 def differences(program: str, result: Run) -> list[str]:
-    """Return how a program's run differs from its golden files.
+    """Return how a program's run differs from its golden files: A is the golden file, B the run.
 
     Raises OSError if one of them cannot be read, ValueError if it is not a report.
     """
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
-    found = diff_lines(difference(expected, json.loads(text(result, whole=False))), most=MAX_DIFFERENCES)
+    found = _words(expected, json.loads(text(result, whole=False)))
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read().replace("\r\n", "\n")  # which Git for Windows writes
@@ -75,6 +80,76 @@ def _lines(output: Sequence[str]) -> str:
     return "".join(line + "\n" for line in output)
 
 
+def _words(expected: Any, now: Mapping[str, Any]) -> list[str]:
+    """Return the differences of two reports: what is done, then the figures that this does not show."""
+    if not isinstance(expected, dict) or not str(expected.get("schema", "")).startswith("motionlang.report/"):
+        raise ValueError("it is not a report of a run")
+    if expected["schema"] != SCHEMA:
+        raise ValueError(f"its schema is {expected['schema']}, and only {SCHEMA} can be read")
+    sides = [dict(_flat(each)) for each in (expected, now)]
+    old, new = sides
+    changed = [
+        path for path in {**old, **new} if not (path in old and path in new and same(old[path], new[path]))
+    ]
+    if not changed:
+        return []
+    try:
+        acts = compared(_way(expected), _way(now), EXACT)
+    except (KeyError, TypeError) as error:
+        raise ValueError(f"its moves or events lack {error}") from None
+    lines = [difference_words(each) for each in acts.differences] + [later_words(each) for each in acts.later]
+    is_shown = ("moves[", "output[") if lines else ()
+    others = [path for path in changed if not path.startswith(is_shown)] if is_shown else changed
+    lines += (f"{path}: {_shown(old.get(path))} → {_shown(new.get(path))}" for path in others)
+    left = len(lines) - MAX_DIFFERENCES
+    return lines[:MAX_DIFFERENCES] + ([f"and {left} more"] if left > 0 else [])
+
+
+def _way(report: Mapping[str, Any]) -> PlayedWay:
+    """Return what a report says that a program did, in user units; printed lines have no time in it."""
+    acts = [ComparedAct(0.0, 0.0, 0, "", line) for line in report["output"]]
+    for each in report["moves"]:
+        end = each.get("end")
+        words = f"{each['command']}" + ("" if end is None else f" to {end:.6g}")
+        duration, ended = each["duration"] or 0.0, each.get("ended", "")
+        acts.append(
+            ComparedAct(
+                each["start_time"],
+                each["start_time"] + duration,
+                each["line"],
+                f"axis {each['axis']}",
+                words,
+                (each["command"], ended),
+                end,
+                each.get("peak_speed") or 0.0,
+            )
+        )
+    for each in report["events"]:
+        acts.append(ComparedAct(each["time"], each["time"], 0, f"axis {each.get('axis')}", each["kind"]))
+    acts.sort(key=lambda act: (bool(act.subject), act.begin))
+    status, time = report["status"], report["time"]
+    return PlayedWay({"program": acts}, status, time, inf, {}, [], 0.0, frozenset(), frozenset())
+
+
+def _shown(value: object) -> str:
+    return f"{value:.9g}" if isinstance(value, float) else "none" if value is None else str(value)
+
+
+def _flat(value: object, path: str = "") -> Iterator[tuple[str, object]]:
+    """Yield each figure and text of a report, with its path."""
+    if isinstance(value, dict):
+        for key, inner in value.items():
+            if key not in PLACES:
+                yield from _flat(inner, f"{path}.{key}" if path else key)
+    elif isinstance(value, list):
+        for number, inner in enumerate(value):
+            yield from _flat(inner, f"{path}[{number}]")
+    else:
+        yield path, value
+
+
 def same(expected: object, found: object) -> bool:
     """True if two values are equal, figures within a billionth."""
-    return EXACT.same(expected, found)
+    if isinstance(expected, float) and isinstance(found, float):
+        return expected == found or abs(expected - found) <= EXACT.of("", expected, found)
+    return expected == found and type(expected) is type(found)

@@ -9,29 +9,26 @@ from math import inf
 # is no difference.
 MIN_RELATIVE, MIN_ABSOLUTE = 1e-9, 1e-12
 _TUBE = re.compile(r"(\w+)=([0-9.eE+-]+)\s*(%|[a-zA-Z/²]*)$")
-# The kinds of tolerances, their units and factors to the units of a report.
+# The kinds of tolerances, their units and factors to the units of a run.
 UNITS = {
     "time": {"s": 1.0, "ms": 1e-3, "us": 1e-6},
     "position": {"uu": 1.0},
     "speed": {"uu/s": 1.0},
 }
-# The fields of a report that a tolerance applies to.
-FIELDS = {
-    "time": "time", "start_time": "time", "duration": "time", "settle_time": "time", "start": "position",
-    "end": "position", "distance": "position", "position": "position", "peak_following_error": "position",
-    "following_error": "position", "peak_speed": "speed",
-    "commanded_speed": "speed",
-}  # fmt: skip
 
 
 class Tolerance:
-    """Tolerances by kind: an amount, or a fraction of the figure."""
+    """Tolerances by kind: an amount, or a fraction of the figure.
 
-    def __init__(self, *texts: str) -> None:
-        """Parse texts such as "time=1ms", "position=0.01uu", "speed=2%".
+    `shifts` is True if a time may also be in a printed figure: what comes later prints a later time.
+    """
+
+    def __init__(self, *texts: str, least: float = MIN_RELATIVE, shifts: bool = False) -> None:
+        """Parse texts such as "time=1ms", "position=0.01uu", "speed=2%"; `least` is the fraction of any figure.
 
         Raises ValueError for any other text.
         """
+        self.least, self.shifts = least, shifts
         self._sizes: dict[str, float] = {}
         self._relative: dict[str, float] = {}
         for text in texts:
@@ -56,19 +53,13 @@ class Tolerance:
         """Return the absolute tolerance of times, positions or speeds."""
         return self._sizes.get(kind, 0.0)
 
-    def same(self, expected: object, found: object, field: str = "") -> bool:
-        """True if two values of a field are equal within its tolerance."""
-        if isinstance(expected, float) and isinstance(found, float):
-            kind = FIELDS.get(field, "")
-            size = max(abs(expected), abs(found))
-            tube = max(
-                self._sizes.get(kind, 0.0),
-                self._relative.get(kind, MIN_RELATIVE) * size,
-                MIN_RELATIVE * size,
-                MIN_ABSOLUTE,
-            )
-            return expected == found or abs(expected - found) <= tube
-        return expected == found and type(expected) is type(found)
+    def of(self, kind: str, one: float, other: float, unit: float = 1.0) -> float:
+        """Return by how much two figures of a kind may differ; a size counts in so many of their units."""
+        largest = max(abs(one), abs(other))
+        fraction = max(self._relative.get(kind, 0.0), self.least)
+        return max(self.size(kind) * unit, fraction * largest, MIN_ABSOLUTE)
 
-
-EXACT = Tolerance()
+    def is_figure(self, one: float, other: float) -> bool:
+        """True if two printed figures may be the same time, in s or ms, position or speed."""
+        units = (("time", 1.0), ("time", 1000.0), ("position", 1.0), ("speed", 1.0))
+        return any(abs(one - other) <= self.of(kind, one, other, unit) for kind, unit in units)

@@ -6,7 +6,7 @@ import os
 from collections.abc import Iterator, Mapping
 
 from motionlang.commands.diff.ways import FoundDifference, WaysCompared
-from motionlang.commands.diff.ways_view import Names, difference_words, way_words
+from motionlang.commands.diff.ways_view import Names, found_words, way_words
 from motionlang.commands.init import slug
 from motionlang.commands.quantities import values_of
 from motionlang.commands.scenario_text import WITHIN, error_codes, positions, scenario_text
@@ -54,7 +54,7 @@ def _text(found: WaysCompared, each: FoundDifference, names: Names) -> str | Non
         made = [_run(one, {**tables, "run.until": end}) for one in (a, b)]
         expected = list(_expected(*made))
         if any(unmet(made[1], [entry]) for entry in expected) and not unmet(made[0], [*expected]):
-            head = f"{way_words(each.way, names)}: {difference_words(each)}. It passes on A, and fails on B."
+            head = f"{way_words(each.way, names)}: {found_words(each)}. It passes on A, and fails on B."
             return scenario_text(head, {**common, "run.until": end, **tables}, expected)
     return None
 

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.acts import WITHIN, ComparedAct
+from motionlang.commands.diff.acts import WITHIN, ActDifference, ComparedAct, Later
 from motionlang.commands.diff.ways import (
     MAX_TIMES,
     TIMES,
     CycleTime,
     FoundDifference,
-    FoundLater,
     Way,
     WaysCompared,
 )
@@ -38,15 +37,18 @@ def input_names(one: Exploration) -> dict[int, str]:
 def ways_text(found: WaysCompared, names: Names, most: int = MAX_ROWS) -> str:
     """Return what two programs do differently: a sentence, then each difference, then what differs in time."""
     lines = [summary(found), *unproved(found)]
-    lines += [f"{way_words(each.way, names)}: {difference_words(each)}" for each in found.differences]
+    lines += [f"{way_words(each.way, names)}: {found_words(each)}" for each in found.differences]
     if found.behind:
         lines.append("only behind another difference, and possibly its consequence:")
-        lines += [f"  {way_words(each.way, names)}: {difference_words(each)}" for each in found.behind[:most]]
+        lines += [f"  {way_words(each.way, names)}: {found_words(each)}" for each in found.behind[:most]]
         lines += _more(found.behind, most)
     if found.cycles or found.later:
         lines.append("only the time differs:")
         lines += [f"  {_cycle(each)}" for each in found.cycles]
-        lines += [f"  {way_words(each.way, names)}: {later_words(each)}" for each in found.later[:most]]
+        lines += [
+            f"  {way_words(each.way, names)}: {later_words(each.later, each.times)}"
+            for each in found.later[:most]
+        ]
         lines += _more(found.later, most)
     return "\n".join(lines) + "\n"
 
@@ -145,20 +147,29 @@ def _change(change: Change, names: Names) -> str:
     return text.replace(change.subject, f"{change.subject} ({name})") if name else printable(text)
 
 
-def difference_words(found: FoundDifference) -> str:
-    """Return what A does and what B does, and when, counted from the last change of the way."""
-    difference = found.difference
+def difference_words(
+    difference: ActDifference,
+    times: int = 1,
+    what: str = "ways",
+    in_a: Timeline = (),
+    in_b: Timeline = (),
+) -> str:
+    """Return what A does and what B does, and when, counted from the last change of each.
+
+    It is in so many ways, or so many `times` in one run.
+    """
     if difference.end is not None:
-        return f"A: {difference.end[0]}, B: {difference.end[1]}{_aside((), found.times)}"
-    sides = (("A", difference.a, found.way.timeline), ("B", difference.b, found.in_b))
+        return f"A: {difference.end[0]}, B: {difference.end[1]}{_aside((), times, what)}"
+    sides = (("A", difference.a, in_a), ("B", difference.b, in_b))
     is_place = list(map(str, difference.a)) == list(map(str, difference.b))
     a, b = (f"{side} {_acts(acts, timeline, is_place)}" for side, acts, timeline in sides)
     lines = [f"line {acts[0].line} of {side}" for side, acts, _ in sides if acts and acts[0].line]
-    return f"{a}, {b}{_aside(lines, found.times)}"
+    return f"{a}, {b}{_aside(lines, times, what)}"
 
 
-def _aside(lines: Sequence[str], times: int) -> str:
-    parts = [*lines, *([f"in {times} ways"] if times > 1 else [])]
+def _aside(lines: Sequence[str], times: int, what: str) -> str:
+    often = f"{times} times" if what == "times" else f"in {times} {what}"
+    parts = [*lines, *([often] if times > 1 else [])]
     return f" ({', '.join(parts)})" if parts else ""
 
 
@@ -176,16 +187,25 @@ def _when(time: float, timeline: Timeline) -> str:
     return f"after {time - last:.2f} s"
 
 
-def later_words(found: FoundLater) -> str:
-    """Return what comes later, or takes longer."""
-    later = found.later
+def later_words(later: Later, times: int = 1, what: str = "ways") -> str:
+    """Return what comes later, or takes longer: in so many ways, or so many `times` in one run."""
     if later.lasts:
         word = "longer" if later.seconds > 0.0 else "shorter"
-        what = f"takes {abs(later.seconds):.3f} s {word} in B"
+        words = f"takes {_seconds(later.seconds)} s {word} in B"
     else:
-        what = f"comes {abs(later.seconds):.3f} s {'later' if later.seconds > 0.0 else 'earlier'} in B"
+        words = f"comes {_seconds(later.seconds)} s {'later' if later.seconds > 0.0 else 'earlier'} in B"
     lines = [f"line {later.act.line} of A"] if later.act.line else []
-    return f"{printable(str(later.act))} {what}{_aside(lines, found.times)}"
+    return f"{printable(str(later.act))} {words}{_aside(lines, times, what)}"
+
+
+def _seconds(value: float) -> str:
+    """Return a time with three decimals, a shorter one with three digits."""
+    return f"{abs(value):.3f}" if abs(value) >= 1e-3 else f"{abs(value):.3g}"
+
+
+def found_words(found: FoundDifference) -> str:
+    """Return what differs in a way, and in how many."""
+    return difference_words(found.difference, found.times, "ways", found.way.timeline, found.in_b)
 
 
 def _cycle(each: CycleTime) -> str:
@@ -202,7 +222,7 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
             "way": way_words(each.way, names),
             "a": [str(act) for act in each.difference.a],
             "b": [str(act) for act in each.difference.b],
-            "text": difference_words(each),
+            "text": found_words(each),
             "ways": each.times,
             "behind": k >= len(found.differences),
         }

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from motionlang.commands.diff.acts import ComparedAct, PlayedWay
 from motionlang.commands.diff.ways import FoundDifference, Player, compared_ways
-from motionlang.commands.diff.ways_view import difference_words, input_names, not_compared, way_words
+from motionlang.commands.diff.ways_view import found_words, input_names, not_compared, way_words
 from motionlang.exploration import HORIZON, Timeline, explore, without_figures, without_world
 from motionlang.kernel import Program
 from motionlang.kernel.tools import count_of
@@ -59,7 +59,7 @@ def played_ways(
     texts: dict[bool, list[str]] = {True: [], False: []}
     differences = [each for each in (*found.differences, *found.behind) if not _is_beyond(each)]
     for each in differences:
-        texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {difference_words(each)}")
+        texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {found_words(each)}")
     differ = f", {found.differ} differ" if differences else ": the same but for time"
     left = not_compared(found, explored="A")
     summary = f"{count_of(found.played, 'way')} played with the edits, too{differ}"

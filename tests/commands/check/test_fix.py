@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from motionlang import diff, run
+from motionlang.commands.diff.runs import runs_text
 from motionlang.kernel import Source, dialect_of, settings_next_to
-from motionlang.kernel.report import build
 from tests.cases import cases
 from tests.cli.programs import Cell
 from tests.commands.worlds import world_of
@@ -129,21 +129,22 @@ def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
     old = language.program(before).target.model or "mintmt"  # the notation of both: it stays MintMT
     written = cell.folder / path.name
     written.write_bytes(path.read_bytes())
-    ran = cell("check", path.name, "--model", "mintmt", "--fix")
+    cell("check", path.name, "--model", "mintmt", "--fix")
     after = Source.read(written)
     assert after.text != before.text
     assert "fixed" not in cell("check", path.name, "--model", "mintmt", "--fix").out
-    reports = [
-        build(run(source, machine={**machine, "controller.model": model}, until=SECONDS))
+    old_run, new_run = (
+        run(source, machine={**machine, "controller.model": model}, until=SECONDS)
         for source, model in ((before, old), (after, "mintmt"))
-    ]
-    for report in reports:  # notes quote the program
-        report["notes"] = [re.sub(r"\.(\d)", r"(\1)", note) for note in report.get("notes", [])]  # type: ignore[attr-defined]
-    if "with as many as it needs" in ran.out:
-        for report in reports:
-            report["output"] = [re.sub("[.0]", "", line) for line in report["output"]]
-    found = diff(reports[0], reports[1])
-    assert found.same, (found.lines, found.prints, found.others)
+    )
+    found = diff(old_run, new_run)
+    bare = (
+        [[re.sub("[.0]", "", str(act)) for act in acts] for acts in (each.a, each.b)]
+        for each in found.differences
+    )
+    assert not found.later, runs_text(found)
+    assert found.apart is None
+    assert all(one == other for one, other in bare), runs_text(found)
 
 
 def test_what_is_not_certain_stays(cell: Cell) -> None:

@@ -28,7 +28,7 @@ WAITING = (
 def divergence(cell: Cell, *options: str) -> tuple[int, float, float, float]:
     """Return axis, time, and the largest difference of position with its time."""
     ran = cell("diff", "old.mnt", "new.mnt", "--format", "json", *options)
-    (found,) = json.loads(ran.out)["divergence"]
+    (found,) = json.loads(ran.out)["positions"]
     return found["axis"], found["time"], found["max_difference"], found["max_difference_at"]
 
 
@@ -67,4 +67,4 @@ def test_the_divergence_of_a_later_start_by_hand(cell: Cell) -> None:
     assert largest == pytest.approx(10.0, abs=1e-3)
     assert 0.3 <= at <= 1.1
     ran = cell("diff", "old.mnt", "new.mnt", "--format", "json", "--tolerance", "position=10.1uu")
-    assert json.loads(ran.out)["divergence"] == []
+    assert json.loads(ran.out)["positions"] == []
