@@ -68,6 +68,8 @@ PATIENCE = 108.0
 # So many ways of few changes are played with long times between the changes, s, and with short ones, and so many worlds
 # of each program.
 PACED, SLOW, FAST, WORLDS = 20, 200.0, 0.05, 60
+# They take at most this share of the work.
+FURTHER = 0.3
 # A way with long times is played for so long after its last change, s.
 LONG = 324.0
 # No further cycle of a program is made a way after so many statements.
@@ -278,8 +280,9 @@ def compared_ways(
             found.left = ways[k:]
             break
         comparison.take(way)
+    most = min(a.work + b.work + FURTHER * work, begun + work)
     for way in _further(first, second, ways):
-        if found.left or comparison.is_settled or a.work + b.work - begun >= work or is_enough(found):
+        if found.left or comparison.is_settled or a.work + b.work >= most or is_enough(found):
             break
         ways.append(way)
         comparison.take(way)
