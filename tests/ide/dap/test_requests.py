@@ -290,8 +290,8 @@ def test_a_line_of_the_console_changes_a_variable_or_compares(stopped: tuple[Cli
         ("bags = 100", "there is no variable bags here"),
         ("a(9) = 1", "there is no a(9)"),
         ("a = 1", "a cannot be set; set one of its elements"),
-        ("n = ", "the expression ends too early"),
-        ("n = n +", "the expression ends too early"),
+        ("n = ", "' ' is not an expression such as position(0) > 120"),
+        ("n = n +", "'n +' is not an expression such as position(0) > 120"),
         ("position(0) = 3", "there is no variable position(0) here"),
     ):
         assert client.refused("evaluate", expression=line, context="repl") == message
