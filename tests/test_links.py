@@ -67,5 +67,5 @@ def test_messages_name_pages_that_exist() -> None:
         if isinstance(node, ast.Constant) and isinstance(node.value, str)
         for name in re.findall(r"docs/[\w/.-]+\.\w+", node.value)
     }
-    assert "docs/lint.md" in named
+    assert "docs/diagnostics.md" in named
     assert sorted(name for name in named if not (ROOT / name).exists()) == []

@@ -29,7 +29,6 @@ GROUPS = (
         "tools.mcapi_files:files",
         "tools.command_pages:files",
         "tools.diagnostics_page:files",
-        "tools.lint_page:files",
         "tools.vscode_grammars:files",
         "tools.stages_page:files",
         "tools.kernel_names:files",

@@ -13,7 +13,7 @@ HEAD = """\
 # Diagnostics
 
 Each error and warning has a code in brackets, such as `error[never]`. `motionlang help never` prints what is here.
-The [warnings of `check`](lint.md) have more explanation on their own page.
+[lint.md](lint.md) says how `check` is used, and how a warning is silenced.
 """
 
 
@@ -23,8 +23,9 @@ def written() -> str:
 
 
 def _section(code: str) -> str:
-    link = f" [More](lint.md#{code})" if code in RULES else ""
-    sections = [f"## {code}\n\n{CODES[code]}{link}\n"]
+    rule = RULES.get(code)
+    about = f"\n{rule.text}" if rule else ""
+    sections = [f"## {code}\n\n{CODES[code]}\n{about}"]
     for title, example in examples(code):
         text = "".join(f"{line}\n" for line in listing(example))
         sections.append(f"\n{title[:1].upper()}{title[1:]}:\n\n```text\n{text}```\n")

@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator, Sequence
 
 from motionlang.commands.evidence.entries import of_word
 from motionlang.commands.evidence.fact_evidence import is_remembered
-from motionlang.commands.evidence.keyword_facts import facts
+from motionlang.commands.evidence.view import question_of
+from motionlang.commands.help.view import markdown
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.views.formatting import dialect_name
 from tools.assumptions_page import anchor, cell
@@ -166,21 +167,10 @@ def _title(group: str) -> str:
 
 
 def _entry(row: Keyword, dialect: str, shown: Callable[[Keyword], Sequence[str]]) -> list[str]:
-    known = [f"{name}: {text}" for name, text in facts(row, dialect) if text and name != "group"]
-    lines = [f"## {row.name}", "", row.help, "", " · ".join(known)]
-    if row.example:
-        lines += ["", f"```{dialect}", *row.example.splitlines(), "```"]
-        output = [line.translate(SIGNS) for line in shown(row)]
-        if len(output) > MAX_EXAMPLES:
-            output = [*output[:MAX_EXAMPLES], "…"]
-        lines += ["", "shows", "", "```text", *output, "```"] if output else []
-    return lines + _open(row, dialect)
-
-
-def _open(row: Keyword, dialect: str) -> list[str]:
-    """Return the open questions about a keyword, one per line."""
-    lines: list[str] = []
-    for each in of_word(dialect, row):
-        others = f"; or: {'; or '.join(each.alternatives)}" if each.alternatives else ""
-        lines.append(f"* {each.question}: {each.chosen}{others} (`{each.name}`)")
-    return ["", "open", "", *lines] if lines else []
+    lines = [f"## {row.name}", "", markdown(row, dialect)]
+    output = [line.translate(SIGNS) for line in shown(row)] if row.example else []
+    if len(output) > MAX_EXAMPLES:
+        output = [*output[:MAX_EXAMPLES], "…"]
+    lines += ["", "shows", "", "```text", *output, "```"] if output else []
+    questions = [f"* {question_of(each)} (`{each.name}`)" for each in of_word(dialect, row)]
+    return [*lines, "", "open", "", *questions] if questions else lines

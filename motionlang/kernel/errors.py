@@ -68,7 +68,7 @@ CODES: dict[str, str] = {
     "unasked": "An answer was given that no INPUT took.",
     "command-error": "The controller answered the command with an error code.",
     "model": "The chosen controller model does not support this.",
-    # Warnings of the linters; docs/lint.md explains each.
+    # Warnings of the linters; docs/diagnostics.md explains each.
     "never-asked": "An entry of the machine file has asked, and the program never asks for its value.",
     "never-started": "A move is loaded into the buffer and never started.",
     "in-motion": "A position is read or set while the move just started is in motion.",

@@ -83,7 +83,7 @@ class Check(Findings, Jobs, OnMachine):
     title: ClassVar[str] = "checks"
     epilog: ClassVar[str] = """\
 Warnings point out code that compiles but is probably a mistake: a move that
-no GO starts, a wait that nothing can end. docs/lint.md explains each warning.
+no GO starts, a wait that nothing can end. docs/diagnostics.md explains them.
 A comment with `lint: ignore CODE` silences a warning on its line.
 
 exit status: 0 no errors; 1 a file has an error (with --strict, or a warning);

@@ -51,7 +51,6 @@ class Rule:
     """
 
     code: str
-    group: str
     text: str
     fix: str
     mint: RuleCase | None = None

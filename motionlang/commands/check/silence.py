@@ -67,7 +67,7 @@ def _is_ignored(diagnostic: Diagnostic, codes: set[str]) -> bool:
 
 def _unknown(code: str, line: int, column: int) -> Diagnostic:
     near = nearest(code, RULES)
-    hint = f"did you mean {near}?" if near else "docs/lint.md lists all warnings"
+    hint = f"did you mean {near}?" if near else "docs/diagnostics.md lists all warnings"
     message = f"there is no warning {code}"
     if code in CODES:
         message, hint = f"{code} is an error and cannot be ignored", ""

@@ -22,7 +22,7 @@ def listing(found: Sequence[Assumption], *, width: int = 100, colour: bool = Fal
         lines.append("")
         name = styled(each.name, "word", colour)
         lines += [f"  {name}  {styled(each.strength, 'dim', colour)}"]
-        lines += _wrapped(_open(each), width)
+        lines += _wrapped(question_of(each), width)
     return "\n".join(lines) + "\n"
 
 
@@ -30,11 +30,11 @@ def of_word(found: Sequence[Assumption], *, width: int = 100, colour: bool = Fal
     """Return the open assumptions about a keyword."""
     lines = [styled("  not settled by the sources", "dim", colour)]
     for each in found:
-        lines += ["", f"  {styled(each.name, 'word', colour)}", *_wrapped(_open(each), width)]
+        lines += ["", f"  {styled(each.name, 'word', colour)}", *_wrapped(question_of(each), width)]
     return "\n".join(lines) + "\n"
 
 
-def _open(assumption: Assumption) -> str:
+def question_of(assumption: Assumption) -> str:
     """Return a question with the chosen answer and the alternatives."""
     others = f"; or: {'; or '.join(assumption.alternatives)}" if assumption.alternatives else ""
     return f"{assumption.question}: {assumption.chosen}{others}"

@@ -58,6 +58,23 @@ def page(rows: Sequence[Keyword], dialect: str, *, width: int = 100, colour: boo
     return "\n".join(_page(row, dialect, width, colour) for row in rows)
 
 
+# Signs with a meaning in Markdown.
+SIGNS = str.maketrans({sign: f"\\{sign}" for sign in "\\`*_{}[]<>#|"})
+
+
+def markdown(row: Keyword, dialect: str) -> str:
+    """Return the help, the facts with their evidence and the example of a keyword in Markdown."""
+    begin, colon, end = standing(row, dialect).partition(":")
+    lines = [f"*{begin}*:{end}", ""] if colon else []
+    lines += [row.help.translate(SIGNS), ""]
+    known = [
+        f"{name}: {text.translate(SIGNS)}" for name, text in facts(row, dialect) if text and name != "group"
+    ]
+    lines.append(" · ".join(known))
+    lines += ["", f"```{dialect}", row.example, "```"] if row.example else []
+    return "\n".join(lines)
+
+
 # Fields of a row with another name in data.
 FIELDS = {
     "below": "excludes_high",

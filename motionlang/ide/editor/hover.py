@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from motionlang.commands.evidence.keyword_facts import facts, standing
+from motionlang.commands.help.view import SIGNS, markdown
 from motionlang.commands.map.program_map import channels_of
 from motionlang.ide.editor.page import Page
-from motionlang.kernel import Keyword, ProgramError
+from motionlang.kernel import ProgramError
 from motionlang.kernel.lang import Definition, Span
 
 # The most lines of a comment above a declaration that belong to it.
 _MAX_COMMENT = 20
 # How often a name is used, where there is a word for it.
 _OFTEN = {0: "never used", 1: "used once", 2: "used twice"}
-# Signs with a meaning in Markdown.
-_SIGNS = str.maketrans({sign: f"\\{sign}" for sign in "\\`*_{}[]<>#|"})
 
 
 @dataclass(eq=False, slots=True)
@@ -36,7 +34,8 @@ def hover(page: Page, offset: int) -> Hover | None:
         return None
     row, span = word
     uses = channel_uses(page, span[0]) if row.channel or row.selects else ""
-    return Hover(uses + keyword_page(row, page.language.name), span)
+    about = f"{uses}**{row.name}** · {row.kind}\n\n{markdown(row, page.language.name)}"
+    return Hover(about, span)
 
 
 def channel_uses(page: Page, at: int) -> str:
@@ -45,7 +44,7 @@ def channel_uses(page: Page, at: int) -> str:
         channels = channels_of(page.program, page.language)
     except ProgramError:
         return ""
-    found = ["; ".join(each.sentences()).translate(_SIGNS) for each in channels if at in each.names_at]
+    found = ["; ".join(each.sentences()).translate(SIGNS) for each in channels if at in each.names_at]
     return "".join(f"{each}\n\n" for each in found)
 
 
@@ -71,20 +70,6 @@ def definition_page(page: Page, definition: Definition) -> str:
     return "\n".join([*lines, "", " · ".join(about)])
 
 
-def keyword_page(row: Keyword, language: str) -> str:
-    """Return the page of a keyword: help, facts with their evidence, an example."""
-    lines = [f"**{row.name}** · {row.kind}", ""]
-    about = standing(row, language)
-    if about:
-        begin, end = about.split(":", 1)
-        lines += [f"*{begin}*:{end}", ""]
-    lines += [row.help.translate(_SIGNS), ""]
-    lines += [f"- {name}: {text.translate(_SIGNS)}" for name, text in facts(row, language) if text]
-    if row.example:
-        lines += ["", f"```{language}", row.example, "```"]
-    return "\n".join(lines)
-
-
 def _comment_above(page: Page, definition: Definition) -> str:
     """Return the comment above a declaration, or at the end of its line."""
     if definition.span is None:
@@ -103,4 +88,4 @@ def _comment_above(page: Page, definition: Definition) -> str:
         found.insert(0, pieces[0][1])
         start = above
     text = " ".join(each.lstrip("';# \t").strip() for each in found)
-    return text.translate(_SIGNS)
+    return text.translate(SIGNS)

@@ -49,10 +49,9 @@ PAGES = (
         "*known, not simulated*: a run ends where the program uses it, unless it writes 0. "
         "Reason: the sources have only its name.\n\n"
         "listed by the type library without a meaning\n\n"
-        "- use: read and write\n- for: axis, param (code, Mint ActiveX type library, build 5626)\n"
-        "- unit: number (code, Mint ActiveX type library, build 5626)\n"
-        "- group: where it moves or decides, the run ends\n"
-        "- known from: Mint ActiveX type library, build 5626 "
+        "use: read and write · for: axis, param (code, Mint ActiveX type library, build 5626)"
+        " · unit: number (code, Mint ActiveX type library, build 5626)"
+        " · known from: Mint ActiveX type library, build 5626 "
         "(only the name, the arguments and the type; the meaning is assumed)",
         "MOVERTEST",
     ),
@@ -60,8 +59,8 @@ PAGES = (
         "mint", "I|f 1 Then Print 2\n",
         "**If** · statement\n\n"
         "*as remembered, not as printed*: no document that could be read says what it does.\n\n"
-        "Do statements when a condition is true.\n\n- use: command\n- group: language\n"
-        "- known from: MN1955 contents (from memory with low confidence, not checked against a manual)\n\n"
+        "Do statements when a condition is true.\n\nuse: command"
+        " · known from: MN1955 contents (from memory with low confidence, not checked against a manual)\n\n"
         '```mint\nIf 1 < 2 Then PRINT "yes" Else PRINT "no"\n```',
         "If",
     ),

@@ -16,7 +16,6 @@ def check(facts: Facts, warn: Warn) -> None:
 
 RULE = Rule(
     code="beyond-travel",
-    group="Motion",
     text="""\
 A move ends beyond the limit switch of its axis (`axis.0.travel` of the machine file), or beyond a SOFTLIMITFORWARD or
 SOFTLIMITREVERSE of the program; in MCCL beyond an HL or LL that LN enables. The warning appears if the end of the move

@@ -97,7 +97,6 @@ def _loads_of_each(facts: MintFacts, function: Function, node: nodes.For) -> dic
 
 RULE = Rule(
     code="buffer-overfilled",
-    group="Motion",
     text="""\
 The buffer of an axis holds MOVEBUFFERSIZE moves, 2 by default, and one more while a move is running. A statement that
 finds the buffer full waits for space. If the loaded moves need a GO that comes after this statement, there will never

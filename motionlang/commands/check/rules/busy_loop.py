@@ -60,7 +60,6 @@ def _with_subs(facts: MintFacts, loop: set[int]) -> set[int]:
 
 RULE = Rule(
     code="busy-loop",
-    group="Control flow",
     text="""\
 A loop without an end that only computes or prints: it never waits, reads nothing that changes by itself, and nothing
 leads out of it. There is no warning if the program has tasks, events or a host, which may use what the loop computes.

@@ -114,7 +114,6 @@ def _holds(command: Command, value: float) -> bool | None:
 
 RULE = Rule(
     code="constant-condition",
-    group="Control flow",
     text="""\
 Both sides of a comparison are constants; or a number is an operand of And or Or by itself, as in `If n = 1 Or 2 Then`,
 which is always true; or `!` or `~`, which invert bits, stand for Not, as in `PAUSE !INX(5)`. There is no warning for a

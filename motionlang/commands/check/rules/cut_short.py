@@ -22,7 +22,6 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="cut-short",
-    group="Motion",
     text="""\
 MF, AB or ST comes directly behind the command that starts a motion, without any time between: the axis does not move.
 WS waits for the end of a move; in velocity mode a WA lets the axis run. The same holds for an MA directly behind a

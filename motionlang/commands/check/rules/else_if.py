@@ -6,7 +6,6 @@ from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="else-if",
-    group="Control flow",
     text="""\
 An `Else If` on one line, with a Then and a statement behind it, is read as an ElseIf: what follows belongs to it up to
 the next branch. It may be meant as an Else whose only statement is that If.

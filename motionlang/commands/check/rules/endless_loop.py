@@ -39,7 +39,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="endless-loop",
-    group="Control flow",
     text="""\
 Nothing in a While or Repeat changes the values in its condition, and no Exit leads out of it. In MCCL:
 commands that RP, JP, JR or MJ repeat forever, also through several macros, in which nothing takes time, nothing is

@@ -126,7 +126,6 @@ def _check_inputs(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="endless-wait",
-    group="Control flow",
     text="""\
 PAUSE waits for a value that cannot change meanwhile: a variable that no other task and no event sets, the position of
 an axis at rest, or an input that no entry of the machine file drives. The wait ends at once or never; an input that

@@ -111,7 +111,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="exact-position",
-    group="Motion",
     text="""\
 A wait or a loop goes on until POS equals a number, or an If compares POS for equality while the axis certainly moves.
 A moving axis is at 100 for an instant, and the program reads its position before and after that. Compare with `>=` or

@@ -57,7 +57,6 @@ def _are_commands(text: str) -> bool:
 
 RULE = Rule(
     code="ignored",
-    group="Control flow",
     text="""\
 A part of a line has no effect. A command that takes no number, such as PT, ignores one: `TP1` tells all positions, and
 `1TP` that of axis 1. A semicolon begins a comment,

@@ -23,7 +23,6 @@ def _check(facts: Facts, warn: Warn, hint: str) -> None:
 
 RULE = Rule(
     code="in-motion",
-    group="Motion",
     text="""\
 The program reads or sets the position immediately after the GO that started a move, when no time has passed. It gets
 the start of the move, where it probably needs the end. If a PAUSE, a WAIT or a loop comes in between, the position is

@@ -168,7 +168,6 @@ class _Chain:
 
 RULE = Rule(
     code="mixed-operators",
-    group="Control flow",
     text="""\
 `&` or `|` is used with a comparison, without brackets that say which comes first. In Mint, `If a & 2 = 2 Then` tests
 `(a & 2) = 2`; in C and similar languages it would be `a & (2 = 2)`. The hint shows the line both ways. There is no

@@ -39,7 +39,6 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="motor-off",
-    group="Machine",
     text="""\
 A command moves an axis that no line of the file enables with MN, or that MF or RT has switched off. An axis without an
 MN may already be on if you load the file into a controller that is in use.

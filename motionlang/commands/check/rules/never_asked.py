@@ -68,7 +68,6 @@ def _may_read(use: ChannelUse, table: str, number: str) -> bool:
 _MACHINE = "input = [{ channel = 1, asked = 0.3 }]\n"
 RULE = Rule(
     code="never-asked",
-    group="Control flow",
     text="""\
 An entry of the machine file with [`asked`](machine-file.md#what-answers-when-asked) acts while the program waits for
 its input, key or number, or polls it in a loop. No wait and no loop of the program reads it.

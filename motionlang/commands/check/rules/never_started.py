@@ -142,7 +142,6 @@ def _is_followed(facts: MacroFacts, part: Part, p: int, function: str, axis: flo
 
 RULE = Rule(
     code="never-started",
-    group="Motion",
     text="""\
 A move is loaded into the buffer, and on every path from there the buffer is emptied (STOP, CANCEL, RESET) or the
 program ends before a GO of its axis. These count as a GO: another task, a handler, the caller of the sub, and a

@@ -78,7 +78,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="never-waits",
-    group="Motion",
     text="""\
 A loop starts a new motion in each iteration and never waits, so each motion is cut short by the next one ten
 microseconds later. In Mint, the warning is for a jog whose value changes in each iteration of a loop without a WAIT, a

@@ -59,7 +59,6 @@ def _requests(facts: MintFacts) -> Iterator[tuple[nodes.Name, int, int]]:
 
 RULE = Rule(
     code="no-connection",
-    group="Machine",
     text="""\
 A keyword of the Modbus client uses a server, or a register of it, that the machine file does not have. In a run it gets
 error 41 or 4. The warning appears only if the file has `[[modbus.server]]` or `[[modbus.register]]` and the numbers are

@@ -62,7 +62,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="no-value",
-    group="Names",
     text="""\
 A variable is read, but nothing gives it a value: not its Dim, no statement, and no sub to which it is passed. It is
 always 0 or an empty text. There is no warning for arrays and records. Or a variable without a Dim is named like a

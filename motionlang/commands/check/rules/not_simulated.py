@@ -6,7 +6,6 @@ from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="not-simulated",
-    group="Machine",
     text="""\
 The keyword belongs to the language but is not simulated here. The program may still be right: settings are stored,
 commands that do not affect motion do nothing, and the report of a run names both. The hint says if a run would end

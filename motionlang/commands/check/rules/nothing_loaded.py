@@ -31,7 +31,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="nothing-loaded",
-    group="Motion",
     text="""\
 A GO of axes for which no move is loaded: nothing was loaded, or an earlier GO has started it. In MCCL: a GO of an axis
 in position mode; the board answers `?-2`.

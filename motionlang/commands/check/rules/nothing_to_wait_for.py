@@ -25,7 +25,6 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="nothing-to-wait-for",
-    group="Control flow",
     text="""\
 WS or WT waits for the end of a move, and no command on any path to it, also in the macros that are called, has moved
 the axis.

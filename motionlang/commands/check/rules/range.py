@@ -52,7 +52,6 @@ def _check_rates(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="range",
-    group="Machine",
     text="""\
 A rate such as SV or SA has a fraction, and no command of the file sets the units of its axis: the board rounds it to
 counts. Or a move by MR is not a whole number of counts, and rounding changes it by more than 1 %: with `1US3`, ten

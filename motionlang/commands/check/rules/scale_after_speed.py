@@ -45,7 +45,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="scale-after-speed",
-    group="Motion",
     text="""\
 SPEED, ACCEL, software limits and similar settings are stored in counts, so a later SCALEFACTOR changes their value in
 user units. For example, 250 mm/s set at scale 1 is 250 counts per second; after `SCALE(0) = 1200` it is about a fifth

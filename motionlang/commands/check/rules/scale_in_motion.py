@@ -20,7 +20,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="scale-in-motion",
-    group="Motion",
     text="""\
 SCALEFACTOR is changed while a move or jog of the axis is certainly in motion. The controller stores counts: the move
 still ends at the same count, which is a different position in the new unit.

@@ -44,7 +44,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="short-name",
-    group="Names",
     text="""\
 A statement sets a keyword that is written by its short name and was probably meant as a variable: it adds to it, or
 the program writes the keyword in full elsewhere. `TM = TM + 1` changes TERMINAL, the terminals to which PRINT writes;

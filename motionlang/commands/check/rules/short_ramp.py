@@ -33,7 +33,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="short-ramp",
-    group="Motion",
     text="""\
 An ACCELTIME or DECELTIME below one millisecond, or an ACCEL or DECEL that reaches SPEED in less, is a ramp of no
 trajectory update: the axis would jump to its speed. The times are in milliseconds, so 0.2 for 0.2 s is such a ramp. A

@@ -6,7 +6,6 @@ from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="silenced",
-    group="Names",
     text="""\
 A `lint: ignore` names a warning that does not exist, or an error, which cannot be silenced.
 """,

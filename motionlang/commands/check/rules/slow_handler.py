@@ -48,7 +48,6 @@ def _least_wait(facts: MintFacts, function: Function) -> float:
 
 RULE = Rule(
     code="slow-handler",
-    group="Control flow",
     text="""\
 The handler of TIMER waits longer than TIMEREVENT, the period of its event. The next event is due before the handler
 ends, so the program between two events gets no time. Both numbers are constants; a WAIT in a branch or a loop does not

@@ -29,7 +29,6 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="still-running",
-    group="Motion",
     text="""\
 An axis runs in velocity mode (VM, GO) and has not been stopped, and then a WS or WT waits for it to come to rest, or a
 position move needs it at rest. A move with an S-curve or parabolic profile starts from rest and is rejected.

@@ -20,7 +20,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="time-before-speed",
-    group="Motion",
     text="""\
 ACCELTIME and DECELTIME are times to reach SPEED. If they come before any SPEED is set, they refer to the default of
 power-up, 40 000 counts per second. Set SPEED first. motionlang stores the time and works out the rate when a move

@@ -42,7 +42,6 @@ def _is_clock(name: nodes.Name) -> bool:
 
 RULE = Rule(
     code="two-clocks",
-    group="Control flow",
     text="""\
 A variable of type Time counts milliseconds by itself, as TIME does. Their difference is the same at all times, so it
 measures nothing, and a wait for it never ends.

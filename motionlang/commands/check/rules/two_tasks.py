@@ -130,7 +130,6 @@ def _axes_of(uses: Iterable[Use]) -> set[Key]:
 
 RULE = Rule(
     code="two-tasks",
-    group="Motion",
     text="""\
 Two tasks command moves of the same axis; or a task and its parent do, after the parent has started the task. There is
 no warning if the program makes them take turns: by a Semaphore, by TASKSTATUS, TASKSUSPEND or `End task`, or by a

@@ -6,7 +6,6 @@ from motionlang.commands.check.rule import Rule, RuleCase
 
 RULE = Rule(
     code="unknown-word",
-    group="Names",
     text="""\
 A macro is called, or started as a task, but no line of the file defines it. It may already be in the controller.
 In Mint, a name that is neither a keyword nor declared is an error.

@@ -74,7 +74,6 @@ def _check_commands(line: Line, reached: set[int], warn: Warn) -> None:
 
 RULE = Rule(
     code="unreachable",
-    group="Control flow",
     text="""\
 The statement can never be reached: it follows a Goto, an Exit, an End or a loop without an end. Only the first
 statement of a section is reported; an extra End or Return is not. In MCCL: commands after `RP` without a number,

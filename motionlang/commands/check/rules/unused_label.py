@@ -26,7 +26,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="unused-label",
-    group="Names",
     text="""\
 Nothing jumps to the label, and it is not the name of an event (a handler, in v4). `#MBLOW` gets this
 warning too: only an embedded or a host application can trap that event of Mint v4. MintMT has `Event MBLOW`.

@@ -165,7 +165,6 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="unused-setting",
-    group="Motion",
     text="""\
 The program sets a speed, a rate, a jerk or the shape of moves, and sets it again, or ends, before any motion can use
 it. ACCEL and ACCELTIME are the same setting: the later one counts. While the axis moves, and if another task uses the

@@ -18,7 +18,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="unused-sub",
-    group="Names",
     text="""\
 The sub or function is not called, or is called only by subs that are never called themselves.
 """,

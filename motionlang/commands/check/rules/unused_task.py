@@ -21,7 +21,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="unused-task",
-    group="Names",
     text="""\
 No Run starts the task.
 """,

@@ -33,7 +33,6 @@ def check(facts: MintFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="unused-variable",
-    group="Names",
     text="""\
 A variable is declared and never used; or nothing reads the values that it is given, except to compute its own next
 value, as in `n = n + 1`. There is no warning for constants, parameters and the data of `Dim nv`. If no Dim declares the

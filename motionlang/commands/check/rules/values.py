@@ -23,7 +23,6 @@ def check(facts: MacroFacts, warn: Warn) -> None:
 
 RULE = Rule(
     code="values",
-    group="Names",
     text="""\
 MR without a number moves by 0, and WA without a number does not wait: `1WS` waits for the end of a move. In Mint, a
 number of axes, arguments or values that does not fit the keyword is an error.

@@ -53,7 +53,6 @@ def _waits_for_condition(node: nodes.Assign | nodes.Call) -> bool:
 
 RULE = Rule(
     code="wait-condition",
-    group="Control flow",
     text="""\
 WAIT is given a condition, as in `WAIT IDLE(0)`. It takes a time in ms and a condition is 0 or 1, so the program waits
 one millisecond at most. PAUSE waits until a condition is true; `--fix` writes it. Or PAUSE is given a time, as in

@@ -111,7 +111,6 @@ def _other_models(facts: MacroFacts, made: set[int | None]) -> str:
 
 RULE = Rule(
     code="wrong-channel",
-    group="Machine",
     text="""\
 A bank of 32 channels is used where one channel is probably meant: `IF IN(3)` asks for inputs 96 to 127, and `INX(3)` is
 input 3. The warning is for a bank above 0 that is used as true or false, unless the machine file drives an input of it,

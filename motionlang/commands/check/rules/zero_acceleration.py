@@ -19,7 +19,6 @@ def check(facts: Facts, warn: Warn) -> None:
 
 RULE = Rule(
     code="zero-acceleration",
-    group="Motion",
     text="""\
 A move starts while ACCEL or DECEL (in MCCL SA or DS) of its axis is 0. It could not start or could not stop, so a run
 ends there.

@@ -18,7 +18,6 @@ def check(facts: Facts, warn: Warn) -> None:
 
 RULE = Rule(
     code="zero-speed",
-    group="Motion",
     text="""\
 A move starts while the SPEED of its axis is 0. It holds where it is until SPEED rises, so a wait for its end may never
 end. A run warns of it, too, and names the line that set SPEED to 0. In MCCL the board rejects a move at SV0.
