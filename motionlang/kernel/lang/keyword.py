@@ -265,7 +265,7 @@ class Keyword:
         return by_role or _TOPICS_BY_GROUP.get(self.group, "")
 
     def _default_reads(self) -> str:
-        if self.kind not in ("reading", "setting") or "R" not in self.access:
+        if self.kind not in ("reading", "setting", "move") or "R" not in self.access:
             return ""
         if self.driven in _READS_BY_DRIVEN:
             return _READS_BY_DRIVEN[self.driven]

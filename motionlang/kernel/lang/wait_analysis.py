@@ -178,12 +178,14 @@ class WaitAnalysis:
             if at in self._statements
         ]
         deciding = self._deciding(head, reached, {**assigning, _END: ends})
+        tested = [*ends, *deciding(_END)]
         return LoopDependencies(
-            self._reads([*ends, *deciding(_END)], reached, assigning, deciding),
+            self._reads(tested, reached, assigning, deciding),
             self._reads([p for p in reached if p in tests], reached, assigning, deciding),
             frozenset([each.line for each in made]),
             self._why(ends, [points[p].at for p in loop.edges]),
             HEAD in [points[p].role for p in leaving],
+            any(each in assigning for p in tested for each in self._variables[points[p].at]),
         )
 
     def _with_calls(self, points: Collection[int]) -> set[int]:

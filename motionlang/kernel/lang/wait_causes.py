@@ -34,6 +34,7 @@ class LoopDependencies:
     `within`   the readings in all conditions in it, including branches that only some iterations take
     `lines`    the lines that it executes
     `counts`   true if it also ends by itself, when it has counted to its limit
+    `computes` true if it assigns to a variable that decides when it ends
     `why`      a description of what it waits for
     """
 
@@ -42,3 +43,4 @@ class LoopDependencies:
     lines: frozenset[int] = frozenset()
     why: str = ""
     counts: bool = False
+    computes: bool = False

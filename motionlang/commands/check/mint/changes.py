@@ -8,51 +8,60 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.axis_state import IDLE, AllAxes
 from motionlang.commands.check.mint.conditions import Conditional
 from motionlang.kernel.mint.resolve.folding import binary, unary
-from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
+from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, Function
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import changed, meaning, meant, walk
+from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mint.mint_facts import MintFacts
+    from motionlang.kernel.lang import Read
 
 # Keywords with which an input without a signal is 1.
 _POLARITIES = frozenset(("INPUTACTIVELEVEL",))
 _LEAVES = (nodes.Exit, nodes.Jump, nodes.Return, nodes.End, nodes.Label)
 
 
-def may_change(facts: MintFacts, function: Function, name: nodes.Name, state: AllAxes) -> bool:
-    """True if the value of a name may change while a function waits in a state of the axes."""
-    symbol, row = name.symbol, name.row
-    if symbol is not None:
-        return _variable_may_change(facts, function, symbol)
-    if row is None:
-        return True
-    if row.kind == "constant":
-        return False
-    if row.kind == "function":
-        return row.changes == "always"
-    if row.changes == "motion":
-        return facts.axes.known(state, facts.key_of(name)).motion != IDLE
-    return not _is_dead_input(facts, name)
+def names_in(node: nodes.Expr) -> list[nodes.Name]:
+    """Return the names in a condition, for a Define those in its expression."""
+    found = [each for each in walk([node]) if type(each) is nodes.Name]
+    definitions = [each.definition for each in found if each.definition is not None]
+    inner = [name for each in definitions for name in names_in(each)]
+    return [*(each for each in found if each.definition is None), *inner]
 
 
-def unchanging_loops(facts: MintFacts, function: Function) -> Iterator[tuple[Conditional, list[nodes.Name]]]:
-    """Yield the loops that are never left by their conditions once they run.
+def unchanging(facts: MintFacts, node: nodes.Pause | Conditional, state: AllAxes | None) -> list[Read] | None:
+    """Return the readings that decide when a wait or a loop ends, None if one of them, or a variable, may change.
 
-    The second result is the inputs in the condition, which nothing drives. If there are none, nothing in the loop
-    changes the variables in its condition.
+    Without a state, axes may move.
     """
+    names = names_in(node.condition)
+    if not names or facts.value(node.condition) is not None:
+        return None
+    found = facts.structure.waits.at(node.start)
+    always = any(name.row is not None and name.row.changes == "always" for name in names)
+    symbols = {name.symbol for name in names if name.symbol is not None}
+    # What the analysis does not follow: a host, references, functions with a memory, semaphores.
+    others = symbols & (facts.hosted | facts.referred) or any(
+        each.by_ref or each.kind == "sub" or each.type.name == SEMAPHORE for each in symbols
+    )
+    if found is None or found.computes or always or others:
+        return None
+    for kind, number in found.leaves:
+        if kind == "position" and state is not None:
+            if facts.axes.known(state, number).motion != IDLE:
+                return None
+        elif kind != "input" or not _is_dead(facts, number):
+            return None
+    return sorted(found.leaves)
+
+
+def unchanging_loops(facts: MintFacts, function: Function) -> Iterator[tuple[Conditional, list[Read]]]:
+    """Yield the loops that are never left once they run, with the inputs in their conditions, which nothing drives."""
     loops: list[Conditional] = [*facts.of_kind(nodes.While, function), *facts.of_kind(nodes.Repeat, function)]
     for loop in loops:
-        names = [each for each in walk([loop.condition]) if type(each) is nodes.Name]
-        if not names or facts.value(loop.condition) is not None:
-            continue
-        inputs = [name for name in names if _is_dead_input(facts, name)]
-        if any(_changes_outside(facts, function, name) for name in names if name not in inputs):
-            continue
-        symbols = {name.symbol for name in names if name.symbol is not None}
-        if not _may_end(facts, function, loop, symbols):
-            yield loop, inputs
+        found = unchanging(facts, loop, None)
+        if found is not None and not any(isinstance(each, _LEAVES) for each in walk(loop.body)):
+            yield loop, found
 
 
 def at_rest(facts: MintFacts, node: nodes.Expr) -> float | None:
@@ -72,51 +81,15 @@ def at_rest(facts: MintFacts, node: nodes.Expr) -> float | None:
     return None if isinstance(value, str) else value
 
 
-def _changes_outside(facts: MintFacts, function: Function, name: nodes.Name) -> bool:
-    """True if the value of a name may change without a statement of the loop that tests it."""
-    symbol, row = name.symbol, name.row
-    if symbol is None:
-        return row is None or row.kind not in ("constant", "function") or row.changes == "always"
-    return symbol.kind not in ("const", "variable", "parameter") or _variable_may_change(
-        facts, function, symbol
-    )
-
-
-def _may_end(facts: MintFacts, function: Function, loop: Conditional, symbols: set[Symbol]) -> bool:
-    """True if a loop has an exit, or if it or a sub that it calls may write one of the variables in its condition."""
-    inside = list(walk(loop.body))
-    if any(isinstance(each, _LEAVES) for each in inside):
-        return True
-    if symbols & {meaning(each) for inner in inside for each in changed(inner)}:
-        return True
-    calls = any(
-        type(each) is nodes.Name and each.symbol is not None and each.symbol.kind == "sub" for each in inside
-    )
-    return calls and any(
-        symbol.home is not function or bool(facts.writers.get(symbol, set()) - {function})
-        for symbol in symbols
-    )
-
-
-def _variable_may_change(facts: MintFacts, function: Function, symbol: Symbol) -> bool:
-    """True if another task, an event handler or a host may change a variable while this function runs."""
-    if symbol.kind == "const":
-        return False
-    if symbol.kind not in ("variable", "parameter") or symbol.type.name == TIME or symbol.by_ref:
-        return True
-    if symbol in facts.hosted or symbol in facts.handled:
-        return True
-    mine = facts.roots[function]
-    if len(mine) != 1:
-        return True
-    writers = facts.writers.get(symbol, set())
-    return any(facts.roots[writer] - mine for writer in writers)
-
-
 def _is_dead_input(facts: MintFacts, name: nodes.Name) -> bool:
     """True if a name is an input that no entry of the machine file drives."""
     row = name.row
     if row is None or row.driven != "input" or row.index != "input" or not name.args:
         return False
-    channel, driven = facts.number(name.args[0]), facts.driven_inputs()
+    channel = facts.number(name.args[0])
+    return channel is not None and _is_dead(facts, int(channel))
+
+
+def _is_dead(facts: MintFacts, channel: int | None) -> bool:
+    driven = facts.driven_inputs()
     return channel is not None and driven is not None and channel not in driven

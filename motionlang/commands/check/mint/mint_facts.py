@@ -33,6 +33,8 @@ class MintFacts(Facts):
         self.functions = self.names.functions
         # The nodes of each function by their classes.
         self.nodes = {function: by_kind(function.body) for function in self.functions}
+        # The variables that are passed by reference.
+        self.referred: set[Symbol] = set()
         self.writers = self._writers()
         # The parameters that name the only axis of their sub.
         self._apart: set[Symbol] = set()
@@ -104,6 +106,7 @@ class MintFacts(Facts):
                         symbol = meaning(name)
                         if symbol is not None:
                             found.setdefault(symbol, set()).add(function)
+                            self.referred |= {symbol} if kind is nodes.Name else set()
         return found
 
     def _find_retained(self) -> tuple[set[Symbol], set[Symbol]]:

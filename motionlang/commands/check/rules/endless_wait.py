@@ -9,18 +9,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from motionlang.commands.check.mint.changes import at_rest, may_change, unchanging_loops
+from motionlang.commands.check.mint.changes import at_rest, unchanging, unchanging_loops
 from motionlang.commands.check.mint.conditions import MARGIN, Unattainable, awaited
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import walk
 
 if TYPE_CHECKING:
     from motionlang.commands.check.axis_state import AllAxes, AxisFacts
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
     from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import Use
-    from motionlang.kernel.mint.resolve.symbols import Function
 
 _WHEN_ENDS = {True: "ends at once or never", False: "never ends"}
 _ENTRY = "; add an [[input]] entry"
@@ -38,47 +36,37 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
         for p, node in facts.nodes_of(function):
             state = facts.axes.before[function].get(p)
             if p in reached and state is not None and type(node) is nodes.Pause:
-                _pause(facts, function, node, state, warn)
+                _pause(facts, node, state, warn)
         for loop, inputs in unchanging_loops(facts, function):
             goes_on = at_rest(facts, loop.condition)
             if inputs and (goes_on is None or bool(goes_on) is (type(loop) is nodes.While)):
                 word = "While" if type(loop) is nodes.While else "Repeat"
                 why = "no entry of the machine file drives it"
                 message = f"this {word} waits for a condition that cannot change: {why}"
-                warn(message, inputs[0].start, f"it {_WHEN_ENDS[goes_on is None]}{_ENTRY}")
+                warn(message, loop.condition.start, f"it {_WHEN_ENDS[goes_on is None]}{_ENTRY}")
         for each in awaited(facts, function):
             found = unattainable.why(each.condition, each.truth, each.state) if each.polls else None
             if found is not None:
                 warn(f"this waits for a condition that cannot change: {found[0]}", each.at, found[1])
 
 
-def _pause(facts: MintFacts, function: Function, node: nodes.Pause, state: AllAxes, warn: Warn) -> None:
+def _pause(facts: MintFacts, node: nodes.Pause, state: AllAxes, warn: Warn) -> None:
     """Report a PAUSE if nothing that its condition depends on may change."""
-    names = [each for each in walk([node.condition]) if type(each) is nodes.Name]
-    if not names or facts.value(node.condition) is not None:
-        return
-    words = [each for name in names for each in _inner(name)]
-    if any(may_change(facts, function, each, state) for each in words):
+    found = unchanging(facts, node, state)
+    if found is None:
         return
     value = at_rest(facts, node.condition)
     if value:
         return
-    moving = [each for each in words if each.row is not None and each.row.changes == "motion"]
-    if all(each.symbol is not None for each in words):
+    moving = [number for kind, number in found if kind == "position"]
+    if not found:
         why = "no other task and no event changes it"
     elif moving:
-        why = f"axis {facts.key_of(moving[0])} is at rest"
+        why = f"axis {moving[0]} is at rest"
     else:
         why = "no entry of the machine file drives it"
     hint = "it continues at once or never" if value is None else f"it never continues{_ENTRY}"
     warn(f"this waits for a condition that cannot change: {why}", node.start, hint)
-
-
-def _inner(name: nodes.Name) -> list[nodes.Name]:
-    """Return a name or, if it is a Define, the names in its expression."""
-    if name.definition is None:
-        return [name]
-    return [each for each in walk([name.definition]) if type(each) is nodes.Name]
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
