@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.mint.check.values import NOTHING, KnownValue, article
+from motionlang.kernel.mint.check.values import NOTHING, Value, article
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME, Function, Type
 from motionlang.kernel.mint.syntax import nodes
 
@@ -34,7 +34,7 @@ class CheckContext:
     problems: Problems
     axes: range
     supplied: frozenset[str]
-    value_rules: Mapping[type, Callable[..., KnownValue]]
+    value_rules: Mapping[type, Callable[..., Value]]
     statement_rules: Mapping[type, Callable[..., None]]
 
 
@@ -54,13 +54,13 @@ class Body:
 
     # -------------------------------------------------------------------------------------- expressions
 
-    def value(self, node: nodes.Expr) -> KnownValue:
+    def value(self, node: nodes.Expr) -> Value:
         """Check an expression and annotate it; report an error and return a harmless value."""
         found = self.program.value_rules[node.__class__](self, node)
         node.type, node.const = found.type, found.const
         return found
 
-    def number(self, node: nodes.Expr, what: str = "a number") -> KnownValue:
+    def number(self, node: nodes.Expr, what: str = "a number") -> Value:
         """Check an expression that must be a number."""
         return self.as_number(self.value(node), node, what)
 
@@ -68,14 +68,14 @@ class Body:
         """Check a condition."""
         self.number(node, "a condition")
 
-    def as_number(self, found: KnownValue, node: nodes.Node, what: str) -> KnownValue:
+    def as_number(self, found: Value, node: nodes.Node, what: str) -> Value:
         """Report a value that must be a number and is none."""
         if found.type in NUMERIC:
             return found
         self.problem("type", f"{what} is needed here, not {article(found.type)}", node)
         return NOTHING
 
-    def convert(self, found: KnownValue, kind: Type, node: nodes.Node) -> None:
+    def convert(self, found: Value, kind: Type, node: nodes.Node) -> None:
         """Report a value that cannot be assigned to a variable of a type."""
         if kind.name in (FLOAT, INTEGER, TIME) and found.is_number:
             return

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import NOTHING, KnownValue
+from motionlang.kernel.mint.check.values import NOTHING, Value, typed
 from motionlang.kernel.mint.check.variables import array, location
 from motionlang.kernel.mint.resolve.symbols import RECORD, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import count_of
 
 
-def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> KnownValue:
+def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
     """Check the call of a sub, whose value may be `wanted`."""
     callee = symbol.home
     if wanted and callee.result is None:
@@ -24,7 +24,7 @@ def call(b: Body, node: nodes.Name, symbol: Symbol, wanted: bool) -> KnownValue:
         return NOTHING
     for arg, parameter in zip(args, callee.parameters, strict=True):
         _argument(b, arg, parameter)
-    return KnownValue(str(symbol.type))
+    return typed(str(symbol.type))
 
 
 def _argument(b: Body, node: nodes.Expr, parameter: Symbol) -> None:

@@ -11,7 +11,7 @@ Idea. After name resolution (`resolve/names.py`) each function is walked once, i
 and has a harmless value from then on.
 
 Data. `CheckContext` is what the functions of a program share, `Body` is the function that is being checked. A
-`KnownValue` is the type of an expression, and its value if that is known. They are annotated in the nodes, as `type`
+`Value` is the type of an expression, and its value if that is known. They are annotated in the nodes, as `type`
 and `const`.
 
 Invariants.

@@ -9,11 +9,12 @@ from motionlang.kernel.mint.check import keywords
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.calls import call
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import INT_HIGH, NOTHING, KnownValue, article, literal, read_from
+from motionlang.kernel.mint.check.values import NOTHING, Value, article, literal, read_from, typed
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.folding import binary as fold_binary
 from motionlang.kernel.mint.resolve.folding import unary as fold_unary
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
+from motionlang.kernel.mint.runtime.functions import INT_HIGH
 from motionlang.kernel.mint.syntax import nodes
 
 _COMPARISONS = frozenset(("=", "<>", "<", ">", "<=", ">="))
@@ -22,7 +23,7 @@ _ARITHMETIC = frozenset(("+", "-", "*"))
 _FRACTIONS = frozenset(("/", "^"))
 
 
-def _number(b: Body, node: nodes.Number) -> KnownValue:
+def _number(b: Body, node: nodes.Number) -> Value:
     known = node.value
     if known in (inf, -inf):
         b.problem("overflow", "the number is too large", node)
@@ -32,18 +33,18 @@ def _number(b: Body, node: nodes.Number) -> KnownValue:
     return literal(known)
 
 
-def _cast(b: Body, node: nodes.Cast) -> KnownValue:
+def _cast(b: Body, node: nodes.Cast) -> Value:
     b.convert(b.value(node.value), node.to, node)
-    return KnownValue(node.to.name)
+    return typed(node.to.name)
 
 
-def _omitted(b: Body, node: nodes.Omitted) -> KnownValue:
+def _omitted(b: Body, node: nodes.Omitted) -> Value:
     hint = "only a list of values for single axes may leave one out: SPEED(0, 1) = , 20"
     b.problem("values", "a value is missing here", node, hint)
     return NOTHING
 
 
-def _name(b: Body, node: nodes.Name) -> KnownValue:
+def _name(b: Body, node: nodes.Name) -> Value:
     symbol, result = node.symbol, b.function.result_named(node)
     if result is not None:
         return read_from(result.type)
@@ -71,26 +72,26 @@ def _name(b: Body, node: nodes.Name) -> KnownValue:
 # ---------------------------------------------------------------------------------------------- operators
 
 
-def _unary(b: Body, node: nodes.Unary) -> KnownValue:
+def _unary(b: Body, node: nodes.Unary) -> Value:
     """Check `Not x`, `-x`, `+x` and `~x`."""
     if node.op == "Not":
         b.condition(node.operand)
-        return KnownValue(INTEGER)
+        return typed(INTEGER)
     found = b.number(node.operand)
     known = None if found.const is None else fold_unary(node.op, found.const)
     if known is not None:
         return literal(known)
     if node.op == "+":
         return found
-    return KnownValue(INTEGER if node.op == "~" else _sum(found, found))
+    return typed(INTEGER if node.op == "~" else _sum(found, found))
 
 
-def _binary(b: Body, node: nodes.Binary) -> KnownValue:
+def _binary(b: Body, node: nodes.Binary) -> Value:
     """Check an operation on two sides."""
     return _operated(b, node.op, (node.left, b.value(node.left)), node.right)
 
 
-def _chain(b: Body, node: nodes.Chain) -> KnownValue:
+def _chain(b: Body, node: nodes.Chain) -> Value:
     """Check a long run of operations, and annotate each `Link` with the result up to it."""
     found = b.value(node.first)
     for link in node.links:
@@ -99,28 +100,28 @@ def _chain(b: Body, node: nodes.Chain) -> KnownValue:
     return found
 
 
-def _operated(b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: nodes.Expr) -> KnownValue:
+def _operated(b: Body, op: str, left: tuple[nodes.Node, Value], right: nodes.Expr) -> Value:
     """Return the result of an operation, whose left side is checked already: its node and its value."""
     at, one = left
     if op in _LOGIC:
         b.as_number(one, at, "a condition")
         b.condition(right)
-        return KnownValue(INTEGER)
+        return typed(INTEGER)
     other = b.value(right)
     if not (one.is_number and other.is_number):
         return _other_than_numbers(b, op, left, (right, other))
     if one.const is None or other.const is None:
-        return KnownValue(_result(op, one, other))
+        return typed(_result(op, one, other))
     known = fold_binary(op, one.const, other.const)
     if known is not None:
         return literal(known)
     if op in ("/", "\\", "Mod") and other.const == 0:
         b.problem("division-by-zero", "division by zero", at, "the divisor is 0 whatever the program does")
         return NOTHING
-    return KnownValue(_result(op, one, other))
+    return typed(_result(op, one, other))
 
 
-def _result(op: str, left: KnownValue, right: KnownValue) -> str:
+def _result(op: str, left: Value, right: Value) -> str:
     """Return the type of an operation on numbers."""
     if op in _ARITHMETIC:
         return _sum(left, right)
@@ -129,13 +130,13 @@ def _result(op: str, left: KnownValue, right: KnownValue) -> str:
     return INTEGER
 
 
-def _sum(left: KnownValue, right: KnownValue) -> str:
+def _sum(left: Value, right: Value) -> str:
     return INTEGER if left.type == right.type == INTEGER else FLOAT
 
 
 def _other_than_numbers(
-    b: Body, op: str, left: tuple[nodes.Node, KnownValue], right: tuple[nodes.Node, KnownValue]
-) -> KnownValue:
+    b: Body, op: str, left: tuple[nodes.Node, Value], right: tuple[nodes.Node, Value]
+) -> Value:
     if STRING in (left[1].type, right[1].type):
         return _texts(b, op, left[0], left[1], right[1])
     side, found = right if left[1].is_number else left
@@ -143,7 +144,7 @@ def _other_than_numbers(
     return NOTHING
 
 
-def _texts(b: Body, op: str, at: nodes.Node, left: KnownValue, right: KnownValue) -> KnownValue:
+def _texts(b: Body, op: str, at: nodes.Node, left: Value, right: Value) -> Value:
     """Return the result of an operation on two strings; report an error if one is no string."""
     if left is NOTHING or right is NOTHING:
         return NOTHING
@@ -153,17 +154,17 @@ def _texts(b: Body, op: str, at: nodes.Node, left: KnownValue, right: KnownValue
         return NOTHING
     if op in ("+", "&"):
         known = isinstance(left.const, str) and isinstance(right.const, str)
-        return literal(left.const + right.const) if known else KnownValue(STRING)  # type: ignore[operator]
+        return literal(left.const + right.const) if known else typed(STRING)  # type: ignore[operator]
     if op in _COMPARISONS:
-        return KnownValue(INTEGER)
+        return typed(INTEGER)
     b.problem("type", f"{op} needs numbers, not texts", at)
     return NOTHING
 
 
-VALUES: dict[type, Callable[..., KnownValue]] = {
+VALUES: dict[type, Callable[..., Value]] = {
     nodes.Number: _number,
     nodes.String: lambda b, node: literal(node.value),
-    nodes.Given: lambda b, node: KnownValue(STRING if node.is_text else FLOAT),
+    nodes.Given: lambda b, node: typed(STRING if node.is_text else FLOAT),
     nodes.Cast: _cast,
     nodes.Omitted: _omitted,
     nodes.Name: _name,

@@ -18,13 +18,13 @@ from motionlang.kernel.mint.check.access import (
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices, many
 from motionlang.kernel.mint.check.terminal import line
-from motionlang.kernel.mint.check.values import NOTHING, KnownValue, literal, type_of
+from motionlang.kernel.mint.check.values import NOTHING, Value, literal, type_of, typed
 from motionlang.kernel.mint.resolve.folding import constant
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
 from motionlang.kernel.mint.syntax import nodes
 
 
-def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
+def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of a keyword in an expression."""
     if not row.simulated:
         return unsimulated.read(b, node, row)
@@ -41,7 +41,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
         return NOTHING
     if not axes_by_default(b, node, row):
         check_indices(b, node, row, single=not row.every)  # IDLE[0, 1] is true if both axes are idle
-    return KnownValue(type_of(row))
+    return typed(type_of(row))
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
@@ -116,7 +116,7 @@ def _check_counts(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword,
 # ------------------------------------------------------------------------------------------- functions
 
 
-def _call_function(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
+def _call_function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """Return the result of a function; the row's index lists its arguments."""
     kinds = row.index.split(", ") if row.index else []
     args = node.args or []
@@ -130,11 +130,11 @@ def _call_function(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
         return _immediate_if(b, node, args)
     found = [_argument(b, arg, kind, row) for arg, kind in zip(args, kinds, strict=True)]
     if row.unit != "same":
-        return KnownValue(FLOAT if row.function == "random" else type_of(row))
-    return KnownValue(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
+        return typed(FLOAT if row.function == "random" else type_of(row))
+    return typed(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
 
 
-def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> KnownValue:
+def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
     if kind != "text":
         return b.number(node)
     found = b.value(node)
@@ -143,7 +143,7 @@ def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> KnownValue:
     return found
 
 
-def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> KnownValue:
+def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
     b.condition(args[0])
     yes, no = b.value(args[1]), b.value(args[2])
     if yes is NOTHING or no is NOTHING:
@@ -151,4 +151,4 @@ def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> KnownVal
     if (yes.type == STRING) is not (no.type == STRING):
         b.problem("type", "the two values of IIf must both be numbers or both be texts", node)
         return NOTHING
-    return KnownValue(yes.type if yes.type == no.type else FLOAT)
+    return typed(yes.type if yes.type == no.type else FLOAT)

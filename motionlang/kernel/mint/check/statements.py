@@ -15,7 +15,7 @@ from motionlang.kernel.mint.check.unknown_words import (
     unknown_command,
     unknown_name,
 )
-from motionlang.kernel.mint.check.values import NOTHING, KnownValue, article
+from motionlang.kernel.mint.check.values import NOTHING, Value, article
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
@@ -190,7 +190,7 @@ def _select(b: Body, node: nodes.Select) -> None:
     b.loops.pop()
 
 
-def _case_test(b: Body, test: nodes.CaseTest, subject: KnownValue) -> None:
+def _case_test(b: Body, test: nodes.CaseTest, subject: Value) -> None:
     for side in [b.value(side) for side in (test.value, test.high) if side is not None]:
         is_known = side is not NOTHING and subject is not NOTHING
         if is_known and (side.type == STRING) is not (subject.type == STRING):

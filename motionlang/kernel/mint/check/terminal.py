@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.unknown_words import hint_at_type, unknown_name
-from motionlang.kernel.mint.check.values import KnownValue, article
+from motionlang.kernel.mint.check.values import article, typed
 from motionlang.kernel.mint.check.variables import location
 from motionlang.kernel.mint.resolve.symbols import FLOAT, NUMERIC, STRING
 from motionlang.kernel.mint.syntax import nodes
@@ -73,4 +73,4 @@ def input_(b: Body, node: nodes.Input) -> None:
     _terminal(b, node.terminal)
     if node.prompt is not None:
         b.value(node.prompt)
-    b.convert(KnownValue(STRING if kind.name == STRING else FLOAT), kind, node)
+    b.convert(typed(STRING if kind.name == STRING else FLOAT), kind, node)

@@ -10,7 +10,7 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.access import can_be_read, check_values, not_a_command, refuse
 from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices
-from motionlang.kernel.mint.check.values import NOTHING, KnownValue, type_of
+from motionlang.kernel.mint.check.values import NOTHING, Value, type_of, typed
 from motionlang.kernel.mint.keywords import unsimulated
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.syntax import nodes
@@ -21,13 +21,13 @@ CODE = "not-simulated"
 _ENDS = "the run ends here"
 
 
-def read(b: Body, node: nodes.Name, row: Keyword) -> KnownValue:
+def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of an unsimulated keyword."""
     if not can_be_read(b, node, row):
         return NOTHING
     _warn(b, node, row)
     _indices(b, node, row, single=True)
-    return KnownValue(type_of(row))
+    return typed(type_of(row))
 
 
 def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:

@@ -24,10 +24,10 @@ from motionlang.kernel.lang.steps import (
     Values,
     own,
 )
+from motionlang.kernel.mint.check.values import Get, Value, arithmetic, combined, comparison
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.unit import UnitWriter
-from motionlang.kernel.mint.steps.values import Get, Value, arithmetic, combined, comparison
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import is_stop
 

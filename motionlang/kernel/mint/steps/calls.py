@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.steps import CALL, DO, Steps, Values, own
+from motionlang.kernel.mint.check.values import Get, Value
 from motionlang.kernel.mint.resolve.symbols import FLOAT, RECORD, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.places import copied
-from motionlang.kernel.mint.steps.values import Get, Value
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:

@@ -12,6 +12,18 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.steps import BRANCH, DO, Values, own
 from motionlang.kernel.lang.variable_uses import Span
+from motionlang.kernel.mint.check.values import (
+    ARITHMETIC,
+    COMPARISONS,
+    Get,
+    Value,
+    answer,
+    as_float,
+    as_integer,
+    combined,
+    literal,
+    negated,
+)
 from motionlang.kernel.mint.resolve.symbols import (
     FLOAT,
     INTEGER,
@@ -26,18 +38,6 @@ from motionlang.kernel.mint.runtime import functions
 from motionlang.kernel.mint.runtime.functions import MAX_TEXT
 from motionlang.kernel.mint.steps import calls, words
 from motionlang.kernel.mint.steps.places import is_shared, subscript
-from motionlang.kernel.mint.steps.values import (
-    ARITHMETIC,
-    COMPARISONS,
-    Get,
-    Value,
-    answer,
-    as_float,
-    as_integer,
-    combined,
-    literal,
-    negated,
-)
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nesting import LINKS
 from motionlang.kernel.mint.syntax.traversal import meant, walk

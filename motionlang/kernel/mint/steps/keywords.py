@@ -6,11 +6,11 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.steps import DO, NOW, TRY, Values
 from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.lang.waits import Wait
+from motionlang.kernel.mint.check.values import Get, Value
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, Type
 from motionlang.kernel.mint.runtime import binding
 from motionlang.kernel.mint.steps import expressions, waiting, words
 from motionlang.kernel.mint.steps.unit import UnitWriter
-from motionlang.kernel.mint.steps.values import Get, Value
 from motionlang.kernel.mint.syntax import nodes
 
 # The number in `Uses` of the memory that a host reads, for which no variable is so far from 0.

@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, STOP, TURN, Values
 from motionlang.kernel.lang.variable_uses import Copy
+from motionlang.kernel.mint.check.values import Get
 from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Function, Symbol, Type
 from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
 from motionlang.kernel.mint.steps.places import copied
 from motionlang.kernel.mint.steps.unit import UnitWriter
-from motionlang.kernel.mint.steps.values import Get
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import is_stop, meant
 

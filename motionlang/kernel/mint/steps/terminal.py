@@ -11,12 +11,12 @@ from typing import Any
 
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.steps import DO, NOW, Values
+from motionlang.kernel.mint.check.values import Get, Value
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
 from motionlang.kernel.mint.runtime import binding
 from motionlang.kernel.mint.runtime.printing import show_integer
 from motionlang.kernel.mint.steps import expressions, words
 from motionlang.kernel.mint.steps.unit import UnitWriter
-from motionlang.kernel.mint.steps.values import Get, Value
 from motionlang.kernel.mint.syntax import nodes
 
 # Wider than any terminal: a wild width is an error, not a request for a gigabyte of blanks.

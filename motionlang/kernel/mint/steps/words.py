@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.steps import Values
+from motionlang.kernel.mint.check.values import Get, Value, answer, as_float, as_integer, literal, type_of
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.resolve.folding import constant
-from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER
 from motionlang.kernel.mint.runtime import binding, functions
 from motionlang.kernel.mint.runtime.task import PARENT
 from motionlang.kernel.mint.steps import expressions
-from motionlang.kernel.mint.steps.values import Get, Value, answer, as_float, as_integer, literal
 from motionlang.kernel.mint.syntax import nodes
 
 if TYPE_CHECKING:
@@ -26,11 +26,6 @@ if TYPE_CHECKING:
 
 # The sections of the machine file that write to the memory that a controller shares with its host.
 HOST_MEMORY = frozenset(("comms", "netdata"))
-
-
-def type_of(row: Keyword) -> str:
-    """Return the Mint type of a keyword's value."""
-    return INTEGER if row.is_whole else STRING if row.unit == "text" else FLOAT
 
 
 # ------------------------------------------------------------------------------------------------------- reads
