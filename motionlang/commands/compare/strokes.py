@@ -25,7 +25,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import ComparedMotion, Signal, fit, simulated
+from motionlang.commands.compare.alignment import ComparedMotion, fit, simulated
+from motionlang.commands.recording import Signal
 
 Array = NDArray[np.float64]
 # A cost, and pairs of indices.
