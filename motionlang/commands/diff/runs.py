@@ -86,7 +86,7 @@ def compared_runs(a: Run, b: Run, tolerance: Tolerance | None = None) -> RunsCom
     periods = None if cycles[0] is None or cycles[1] is None else (cycles[0].period, cycles[1].period)
     apart = divergence(a, b, tolerance.size("position"))
     warned = [
-        ActDifference((), (), ("no such warning", each) if k else (each, "no such warning"))
+        ActDifference((), (), ("none", each) if k else (each, "none"))
         for k, (one, other) in enumerate(((a, b), (b, a)))
         for each in dict.fromkeys(_warnings(one))
         if each not in _warnings(other)

@@ -59,7 +59,7 @@ CHANGES = [
                                  "the positions differ from"]),
     ("GO(0)", "GO(0) : WAIT(300) : STOP(0)", ["B axis 0 MOVEA, cut off at "]),
     ("= 200 :", "= 200 : MAXSPEED(0) = 50 :", ["B axis 0 to 100 at 50, then axis 0 clamp after"]),
-    ("GO(0)", "GO(0) : SETPOS(0) = 1", ["A: no such warning, B: "]),
+    ("GO(0)", "GO(0) : SETPOS(0) = 1", ["A: none, B: "]),
     ("GO(0)", "GO(0) : END", ["A output 1 on, then 'a' after 0.70 s, B does not"]),
 ]  # fmt: skip
 
