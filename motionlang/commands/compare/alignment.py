@@ -14,12 +14,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from math import fsum, log
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.recording import Signal
 from motionlang.kernel.planners import summit
 
 Array = NDArray[np.float64]
@@ -46,6 +45,25 @@ class ComparedMotion(Protocol):
     def at(self, axis: int, quantity: str, times: Array) -> Array:
         """Return a quantity of an axis in user units at any `times`, in s."""
         ...
+
+
+class Signal(NamedTuple):
+    """One measured quantity of one axis in user units, at `times` (s), without NaN.
+
+    The values of `events` are points, not a track.
+    """
+
+    axis: int
+    quantity: str
+    column: str
+    times: Array
+    values: Array
+    events: bool = False
+
+    @property
+    def name(self) -> str:
+        """The name of the signal on a command line, such as position.0."""
+        return f"{self.quantity}.{self.axis}"
 
 
 def simulated(trace: ComparedMotion, signal: Signal, times: Array) -> Array:

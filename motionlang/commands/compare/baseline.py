@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import ComparedMotion
+from motionlang.commands.compare.alignment import ComparedMotion, Signal
 from motionlang.commands.compare.strokes import strokes_of
 from motionlang.commands.recording import QUANTITIES, Mapped, RecordedTable, Recording, read_recording
 from motionlang.kernel import ProgramError, Run
@@ -33,7 +33,7 @@ class RecordedMotion:
         self.end = float(recording.times[-1]) - self.begin
         self._samples: dict[tuple[int, str], tuple[Array, Array]] = {
             (each.axis, each.quantity): (each.times - self.begin, each.values)
-            for each in recording.signals.values()
+            for each in signals_of(recording)
         }
         self.axes = sorted({axis for axis, _ in self._samples})
         for axis in self.axes:
@@ -81,7 +81,7 @@ def _moves(recording: Recording, motion: RecordedMotion) -> list[Row]:
     """Return the strokes of the positions of a recording as rows of a report, in order of time."""
     strokes = [
         (each.begin, signal.axis, each)
-        for signal in recording.signals.values()
+        for signal in signals_of(recording)
         if signal.quantity == "position"
         for each in strokes_of(motion, signal._replace(times=signal.times - motion.begin))
     ]
@@ -98,6 +98,16 @@ def _moves(recording: Recording, motion: RecordedMotion) -> list[Row]:
         }
         for begin, axis, each in sorted(strokes, key=lambda stroke: stroke[:2])
     ]
+
+
+def signals_of(recording: Recording) -> list[Signal]:
+    """Return the signals of a recording with their axes."""
+    found = []
+    for each in recording.signals.values():
+        quantity, _, axis = each.target.partition(".")
+        kind = "position" if quantity == "actual" else quantity
+        found.append(Signal(int(axis), kind, each.column, each.times, each.scaled, recording.events))
+    return found
 
 
 def read_compared(

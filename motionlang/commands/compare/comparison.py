@@ -14,13 +14,14 @@ from numpy.typing import NDArray
 
 from motionlang.commands.compare.alignment import (
     ComparedMotion,
+    Signal,
     find_delay,
     find_delay_near,
     fit,
     lag,
     simulated,
 )
-from motionlang.commands.compare.baseline import Baseline, Row
+from motionlang.commands.compare.baseline import Baseline, Row, signals_of
 from motionlang.commands.compare.differences import (
     later_remarks,
     scale_remarks,
@@ -29,7 +30,7 @@ from motionlang.commands.compare.differences import (
 )
 from motionlang.commands.compare.drift import clock_text, drift
 from motionlang.commands.compare.strokes import SAME_SHARE, Matched, is_explained, match
-from motionlang.commands.recording import Recording, Signal
+from motionlang.commands.recording import Recording
 from motionlang.kernel import Diagnostic, ProgramError
 
 Array = NDArray[np.float64]
@@ -72,7 +73,7 @@ def compare(
     `tolerances` has the largest allowed residual, in user units, by "position.0" or "position". If `delay`
     (s) is None it is computed from the data. Raises ProgramError if there is nothing to compare.
     """
-    found, remarks, trace = list(recording.signals.values()), list(recording.remarks), baseline.motion
+    found, remarks, trace = signals_of(recording), list(recording.remarks), baseline.motion
     if baseline.run is None:  # both count from their first row
         first_row = float(recording.times[0])
         found = [each._replace(times=each.times - first_row) for each in found]

@@ -7,13 +7,13 @@ does not make them longer.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from statistics import median
 
 import numpy as np
 
+from motionlang.commands.compare.alignment import Signal
 from motionlang.commands.compare.strokes import Matched
-from motionlang.commands.recording import Signal
 
 # The clock is measured between these shares of the travel of a stroke, in so many strokes of so many rows at least. It
 # differs by so many standard deviations.
@@ -46,18 +46,6 @@ def clock_text(rate: float) -> str:
     return f"the clock of the recording is {text}; its times are corrected"
 
 
-def times_within(signal: Signal, matched: Matched) -> Iterator[tuple[float, float]]:
-    """Yield how long the run and the recording take between two positions of each stroke, s."""
-    least = MIN_ROWS * float(np.median(np.diff(signal.times)))
-    for pair in matched.pairs:
-        mine, theirs = (
-            each.reached(PASSED[1], at_end=False) - each.reached(PASSED[0], at_end=False)
-            for each in (pair.run, pair.recorded)
-        )
-        if not matched.has_other_travel(pair) and min(mine, theirs) > least:
-            yield mine, theirs
-
-
 def drift(found: Sequence[Signal], matches: Sequence[Matched | None]) -> float | None:
     """Return the rate of the clock of a recording by its strokes and by the rests between them; None if it is right."""
     passed: list[tuple[float, float]] = []
@@ -65,12 +53,16 @@ def drift(found: Sequence[Signal], matches: Sequence[Matched | None]) -> float |
     for signal, matched in zip(found, matches, strict=True):
         if matched is None:
             continue
-        passed += times_within(signal, matched)
+        least = MIN_ROWS * float(np.median(np.diff(signal.times)))
         first = matched.pairs[0]
-        starts += [
-            (pair.run.begin - first.run.begin, pair.recorded.begin - first.recorded.begin)
-            for pair in matched.pairs
-        ]
+        for pair in matched.pairs:
+            starts.append((pair.run.begin - first.run.begin, pair.recorded.begin - first.recorded.begin))
+            mine, theirs = (
+                each.reached(PASSED[1], at_end=False) - each.reached(PASSED[0], at_end=False)
+                for each in (pair.run, pair.recorded)
+            )
+            if not matched.has_other_travel(pair) and min(mine, theirs) > least:
+                passed.append((mine, theirs))
     rate = clock_rate(passed)
     if rate is None:
         return None

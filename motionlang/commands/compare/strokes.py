@@ -25,8 +25,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from motionlang.commands.compare.alignment import ComparedMotion, fit, simulated
-from motionlang.commands.recording import Signal
+from motionlang.commands.compare.alignment import ComparedMotion, Signal, fit, simulated
 
 Array = NDArray[np.float64]
 # A cost, and pairs of indices.

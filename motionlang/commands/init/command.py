@@ -16,7 +16,7 @@ from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
 from motionlang.cli.readers import machine_time, wall_time, whole
 from motionlang.cli.signals import SIGNALS
-from motionlang.commands.compare.options import mapped, recorded, refusing
+from motionlang.commands.compare.options import mapped, recorded
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
 from motionlang.commands.init.summary import motionless, notes
@@ -240,11 +240,13 @@ examples:
 
         path = self.recording or ""
         table = recorded(path)
-        with refusing(table, path):
+        try:
             recording = measured_recording(table, self.map)
             sys.stderr.write(f"{recording.sentence}\n")
             complain(recording.remarks, table.source, path)
             return question(recording)
+        except ProgramError as error:
+            raise Refused(error.diagnostics, source=table.source, file=path) from None
 
     def _update(self, program: Program, path: str) -> int:
         """Print what the recording changes in a machine file, write it on request, and return the exit status."""

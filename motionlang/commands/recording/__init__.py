@@ -11,7 +11,7 @@ A caller gets the signals of `read_recording`, whose `sentence` is the first lin
 """
 
 from motionlang.commands.recording.columns import CHANNELS, QUANTITIES, Mapped, mapped
-from motionlang.commands.recording.reading import GAP, Recording, Signal, read_recording
+from motionlang.commands.recording.reading import GAP, RecordedSignal, Recording, read_recording
 from motionlang.commands.recording.table import RecordedTable, read_file, table_of
 
 __all__ = [
@@ -19,9 +19,9 @@ __all__ = [
     "GAP",
     "QUANTITIES",
     "Mapped",
+    "RecordedSignal",
     "RecordedTable",
     "Recording",
-    "Signal",
     "mapped",
     "read_file",
     "read_recording",

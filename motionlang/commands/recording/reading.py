@@ -28,30 +28,26 @@ GAP = 3.5
 REPEATS, UNEVEN, UNEVEN_LEVELS, MIN_EVENTS = 0.1, 3.0, 1.5, 6
 # The resolution of the times of events, s.
 MIN_STEP = 1e-4
-# Channels of two levels, to which no factor applies.
-DIGITAL = ("input", "output")
 # A column with fewer numbers has nothing to compare.
 MIN_NUMBERS = 3
 
 
-class Signal(NamedTuple):
-    """One measured quantity of an axis, or a channel, with its number: user units at `times` (s), without NaN.
+class RecordedSignal(NamedTuple):
+    """The measured values of a target such as "position.0" or "input.3" at `times` (s), without NaN.
 
-    Digital channels are as recorded, and `inverted` by a negative factor. Values of `events` are points, not a track.
+    A factor of `--map` is not applied to a digital channel, where a negative one inverts it.
     """
 
-    axis: int
-    quantity: str
+    target: str
     column: str
     times: Array
     values: Array
-    events: bool = False
-    inverted: bool = False
+    factor: float | None
 
     @property
-    def name(self) -> str:
-        """The name of the signal on a command line, such as position.0."""
-        return f"{self.quantity}.{self.axis}"
+    def scaled(self) -> Array:
+        """The values in user units."""
+        return self.values if self.factor is None else self.values * self.factor
 
 
 class Recording(NamedTuple):
@@ -67,7 +63,7 @@ class Recording(NamedTuple):
     step: float
     gaps: tuple[tuple[float, float], ...]
     events: bool
-    signals: dict[str, Signal]
+    signals: dict[str, RecordedSignal]
     sentence: str
     remarks: tuple[Diagnostic, ...]
 
@@ -111,25 +107,18 @@ def read_recording(
     begin = found.begin(float(times[0]))
     if found.kind:
         times = times - times[0]
-    signals: dict[str, Signal] = {}
+    signals: dict[str, RecordedSignal] = {}
     for target, each in targets.items():
         column = find(table, each.column)
         values = numbers(table.columns[column])[rows]
         good = np.isfinite(values)
         if good.sum() >= MIN_NUMBERS:
-            quantity, _, number = target.partition(".")
-            factor, is_digital = each.factor or 1.0, quantity in DIGITAL
-            quantity = "position" if quantity == "actual" else quantity
-            scaled = values[good] if is_digital else values[good] * factor
-            signals[target] = Signal(
-                int(number), quantity, column, times[good], scaled, inverted=factor < 0.0
-            )
+            signals[target] = RecordedSignal(target, column, times[good], values[good], each.factor)
         elif any(given.target == target for given in mapping):
             raise ProgramError.of("recording", f"{column} has fewer than three numbers that can be compared")
         else:
             remarks.append(warning(f"{column} has fewer than three numbers, and is left out"))
     events = _are_events(signals, times)
-    signals = {target: each._replace(events=events) for target, each in signals.items()}
     for column in dict.fromkeys(each.column for each in signals.values()):
         # In a row of an event, an empty cell is a channel that has not changed.
         cells = [cell or "0" for cell in table.columns[column]] if events else table.columns[column]
@@ -168,7 +157,7 @@ def _clock_remarks(found: ClockTimes, name: str, table: RecordedTable) -> list[D
     return remarks
 
 
-def _are_events(signals: dict[str, Signal], times: Array) -> bool:
+def _are_events(signals: dict[str, RecordedSignal], times: Array) -> bool:
     """True if a recording has a row only where something changes."""
     if len(times) < MIN_EVENTS:
         return False
@@ -186,7 +175,7 @@ def _repeats(columns: Sequence[Array]) -> float:
     return float(np.logical_and.reduce([np.diff(each) == 0.0 for each in columns]).mean())
 
 
-def _held(signal: Signal, times: Array) -> Array:
+def _held(signal: RecordedSignal, times: Array) -> Array:
     """Return a value for each row: where there is none, that of the row before."""
     return signal.values[np.clip(np.searchsorted(signal.times, times, "right") - 1, 0, None)]
 

@@ -12,16 +12,15 @@ from __future__ import annotations
 
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from math import floor, inf, isfinite
+from itertools import pairwise
+from math import floor, isfinite
 from statistics import median
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from motionlang.commands.compare.differences import usual_factor
-from motionlang.commands.compare.drift import MIN_PASSED, clock_rate, times_within
-from motionlang.commands.compare.strokes import Matched, Pair, match
+from motionlang.commands.compare.drift import MIN_PASSED, MIN_ROWS, PASSED, clock_rate
 from motionlang.commands.init.recorded.outcome import (
     OutcomeMark,
     matched,
@@ -30,14 +29,11 @@ from motionlang.commands.init.recorded.outcome import (
     run_marks,
     run_path,
 )
-from motionlang.commands.init.recorded.recording import MeasuredRecording, machine_positions
-from motionlang.commands.recording import Signal
+from motionlang.commands.init.recorded.recording import MeasuredRecording
 from motionlang.identification.positions import Series
-from motionlang.kernel import Run, Trace
+from motionlang.kernel import Run
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.tools import numbered
-
-Array = NDArray[np.float64]
 
 # An axis rests if it does not move for so long, s; it moves by at least so many standard deviations of the noise.
 REST, AT_REST = 0.08, 6.0
@@ -49,12 +45,12 @@ PLACES = 2
 SCALE, SPEED = 0.01, 0.03
 # So many slow strokes are no accident.
 MIN_STROKES = 3
+# The top speed of a stroke is reached in the fastest part of its rows, from this percentage on.
+TOP = 90
 # A lag is at least so long, s.
 MIN_LAG = 0.002
-# Strokes of so many moves are compared.
-MAX_MOVES = 150
-# A path of fewer rows has no steps of a new zero.
-MIN_PATH = 8
+# The rows at both ends of a stroke that its figures leave out.
+EDGE = 2
 
 
 def switches(
@@ -164,32 +160,21 @@ def _turns(path: Series, least: float) -> list[float]:
 
 
 class _Stroke(NamedTuple):
-    """A stroke of the run and of the recording, with its move, and the top speed of the run.
+    """A stroke of the run and of the recording: its line, travel and top speed of both, and their rows.
 
     It is planned if the run ends where its line sends the axis, not at a switch or an input.
     """
 
-    pair: Pair
-    move: LoggedMove
+    line: int
     is_planned: bool
-    speed: float
+    mine: tuple[float, float]
+    theirs: tuple[float, float]
+    rows: tuple[Series, Series]
 
     @property
     def scale(self) -> float:
         """The travel of the recording as a share of that of the run."""
-        return self.pair.recorded.travel / self.pair.run.travel
-
-
-class _MachineMotion(NamedTuple):
-    """The motion of a run without the steps at which the program gives an axis a new zero."""
-
-    trace: Trace
-    end: float
-
-    def at(self, axis: int, quantity: str, times: Array) -> Array:
-        found = self.trace.at(axis, quantity, times)
-        is_path = quantity == "position" and len(times) > MIN_PATH
-        return machine_positions(Series("", times, found)).values if is_path else found
+        return self.theirs[0] / self.mine[0]
 
 
 def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
@@ -201,12 +186,12 @@ def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
         if not strokes:
             continue
         travel = median(each.scale for each in strokes)
-        speed = median(each.pair.recorded.speed / each.speed for each in strokes)
+        speed = median(each.theirs[1] / each.mine[1] for each in strokes)
         scale = travel if strokes[0].is_planned else speed
         name = usual_factor(scale, run.controller.axes[axis].scale.counts, "position")
         if abs(scale - 1.0) > SPEED and (name or abs(travel - speed) < SPEED * speed):
             yield (
-                f"axis {axis}, {numbered('line', {each.move.line for each in strokes})}: "
+                f"axis {axis}, {numbered('line', {each.line for each in strokes})}: "
                 f"{path.column} moves {scale:.4g} times as far as the run{name and f' ({name})'}: "
                 f"if its unit differs, give --map position.{axis}={path.column}*{1.0 / scale:.6g}"
             )
@@ -220,13 +205,12 @@ def axis_remarks(run: Run, recording: MeasuredRecording) -> Iterator[str]:
                     f"axis {axis}: the position is {1000.0 * lag:.2g} ms behind the run ({len(lags)} strokes), "
                     "as of a drive with this time constant"
                 )
-        slow = [each for each in same if each.pair.recorded.speed < (1.0 - SPEED) * each.speed]
+        slow = [each for each in same if each.theirs[1] < (1.0 - SPEED) * each.mine[1]]
         # A few strokes may seem slow because a row is missing at their top.
         if len(slow) >= MIN_STROKES and len(slow) > len(same) / 2:
-            worst = min(slow, key=lambda each: each.pair.recorded.speed / each.speed)
+            worst = min(slow, key=lambda each: each.theirs[1] / each.mine[1])
             yield (
-                f"axis {axis}, line {worst.move.line}: {worst.pair.recorded.speed:.4g} uu/s recorded, "
-                f"{worst.speed:.4g} uu/s run: "
+                f"axis {axis}, line {worst.line}: {worst.theirs[1]:.4g} uu/s recorded, {worst.mine[1]:.4g} uu/s run: "
                 "the drive does not reach its speed"
             )
 
@@ -241,7 +225,7 @@ def _lags(run: Run, recording: MeasuredRecording, strokes: Sequence[_Stroke]) ->
     waits = [each for each in run.machine.log.waits if each.cause == "input" and each.until > each.since]
     lags: list[float] = []
     for each in strokes:
-        mine, theirs = (one.reached(0.5, at_end=False) for one in each.pair)
+        mine, theirs = (_passed(rows, each.mine[0] / 2) for rows in each.rows)
         at = bisect_left(outputs, (mine, 0.0)) - 1
         if at >= 0 and not any(wait.since < mine and wait.until > outputs[at][0] for wait in waits):
             lags.append(theirs - outputs[at][1] - (mine - outputs[at][0]))
@@ -254,34 +238,54 @@ def stroke_clock(run: Run, recording: MeasuredRecording) -> float | None:
     An input may end the wait before a stroke, or the stroke, but nothing changes the time between two positions within
     it. These are passed between two rows, so strokes show a clock that outputs, which have rows, do not.
     """
-    found = (_matched(run, axis, path) for axis, path in sorted(recording.positions.items()))
-    return clock_rate(
-        [each for signal, pairs in found if pairs is not None for each in times_within(signal, pairs)]
-    )
+    times: list[tuple[float, float]] = []
+    for axis, path in sorted(recording.positions.items()):
+        strokes = [*_strokes(run, axis, path, recording)]
+        usual = median(each.scale for each in strokes) if strokes else 1.0
+        unit = 1.0 if abs(usual - 1.0) < SCALE else usual
+        for each in strokes:
+            if abs(each.scale - usual) < SCALE * abs(usual):
+                mine, theirs = each.rows
+                passed = _passing(mine, each.mine[0]), _passing(theirs, unit * each.mine[0])
+                times += [passed] if min(passed) > MIN_ROWS * recording.step else []
+    return clock_rate(times)
 
 
-def _matched(run: Run, axis: int, path: Series) -> tuple[Signal, Matched | None]:
-    """Return the strokes of the first moves of an axis, which show its scale and the clock."""
-    starts = [each.start_time for each in run.machine.log.moves if each.axis == axis]
-    end = starts[MAX_MOVES] if len(starts) > MAX_MOVES else inf
-    count = int(np.searchsorted(path.times, end))
-    signal = Signal(axis, "position", path.column, path.times[:count], path.values[:count])
-    return signal, match(_MachineMotion(run.trace, min(run.trace.end, end)), signal)
+def _passing(rows: Series, travel: float) -> float:
+    """Return the time that a stroke takes for most of a travel, s."""
+    first, last = (_passed(rows, share * travel) for share in PASSED)
+    return last - first
+
+
+def _passed(rows: Series, travel: float) -> float:
+    """Return the time at which a stroke has a travel behind it, s."""
+    way = np.maximum.accumulate((rows.values - rows.values[0]) * np.sign(travel))
+    return float(np.interp(abs(travel), way, rows.times))
 
 
 def _strokes(run: Run, axis: int, path: Series, recording: MeasuredRecording) -> Iterator[_Stroke]:
-    """Yield the strokes of an axis that a run and a recording both have."""
-    _, found = _matched(run, axis, path)
+    """Yield the strokes of an axis that a run and a recording both have, and that end where the next mark is."""
+    found = matched(run, recording, ("axis",))
+    pairs = [(found.mine[a], found.theirs[b]) for a, b in found.pairs if found.mine[a].label[1] == axis]
+    mine = run_path(run, axis, recording)
+    least = SCALE * float(np.ptp(mine.values))
     moves = [each for each in run.machine.log.moves if each.axis == axis]
-    for pair in [] if found is None else found.pairs:
-        begun = [each for each in moves if each.start_time <= pair.run.begin + near(recording)]
-        if begun:
-            is_planned = _is_planned(begun[-1], pair.run.travel)
-            stroke = _Stroke(pair, begun[-1], is_planned, pair.run.speed)
-            # A stroke that ends elsewhere may not reach the speed of its move in the run.
-            if not is_planned and abs(stroke.scale - 1.0) >= SPEED and begun[-1].commanded_speed:
-                stroke = stroke._replace(speed=begun[-1].size_to_user(begun[-1].commanded_speed))
-            yield stroke
+    for (begin, their_begin), (end, their_end) in pairwise(pairs):
+        if begin.label[2] and not end.label[2]:
+            rows = _rows(mine, begin, end), _rows(path, their_begin, their_end)
+            if min(len(each.times) for each in rows) >= 4 * EDGE:
+                own, theirs = map(_figures, rows)
+                begun = [each for each in moves if each.start_time <= begin.time + near(recording)]
+                if abs(own[0]) > least and begun:
+                    stroke = _Stroke(begun[-1].line, _is_planned(begun[-1], own[0]), own, theirs, rows)
+                    yield stroke if stroke.is_planned else _with_speed(stroke, begun[-1])
+
+
+def _with_speed(stroke: _Stroke, move: LoggedMove) -> _Stroke:
+    """Return a stroke that ends elsewhere in the run with the speed of its move, which the run may not reach."""
+    if abs(stroke.scale - 1.0) < SPEED or not move.commanded_speed:
+        return stroke
+    return stroke._replace(mine=(stroke.mine[0], move.size_to_user(move.commanded_speed)))
 
 
 def _is_planned(move: LoggedMove, travel: float) -> bool:
@@ -290,3 +294,17 @@ def _is_planned(move: LoggedMove, travel: float) -> bool:
         return False
     distance = move.to_user(move.profile.end) - move.to_user(move.profile.start)
     return abs(distance - travel) < SCALE * abs(travel)
+
+
+def _rows(path: Series, begin: OutcomeMark, end: OutcomeMark) -> Series:
+    first, last = np.searchsorted(path.times, [begin.time, end.time])
+    inside = slice(max(first - EDGE, 0), last + EDGE)
+    return path._replace(times=path.times[inside], values=path.values[inside])
+
+
+def _figures(rows: Series) -> tuple[float, float]:
+    """Return the travel of a stroke and its top speed."""
+    times, values = rows.times, rows.values
+    width = max(len(times) // 8, 1)
+    speeds = np.abs(values[width:] - values[:-width]) / (times[width:] - times[:-width])
+    return float(values[-1] - values[0]), float(np.percentile(speeds, TOP))

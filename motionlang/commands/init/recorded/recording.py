@@ -17,9 +17,9 @@ from motionlang.commands.recording import (
     CHANNELS,
     GAP,
     Mapped,
+    RecordedSignal,
     RecordedTable,
     Recording,
-    Signal,
     read_recording,
 )
 from motionlang.identification import Digital, LevelChange, Observation
@@ -53,7 +53,7 @@ class MeasuredRecording(Observation):
 
 def measured_recording(table: RecordedTable, mapping: Sequence[Mapped]) -> MeasuredRecording:
     """Return what a recording has of a machine; raise ProgramError if that is nothing."""
-    recording = read_recording(table, mapping, CHANNELS, checked=_check)
+    recording = read_recording(table, mapping, CHANNELS, checked=_kind)
     if not recording.signals:
         raise ProgramError.of(
             "recording",
@@ -69,15 +69,15 @@ def measured_recording(table: RecordedTable, mapping: Sequence[Mapped]) -> Measu
         gaps=recording.gaps,
         remarks=recording.remarks,
     )
-    for each in recording.signals.values():
-        kind, number = each.quantity, each.axis
+    for target, each in recording.signals.items():
+        kind, number = _kind(target)
         if kind in ("input", "output"):
             channel = _digital(each, recording)
             (found.inputs if kind == "input" else found.outputs)[number] = channel
         elif kind == "analogue":
-            found.analogue[number] = Series(each.column, each.times, each.values)
+            found.analogue[number] = Series(each.column, each.times, each.scaled)
         elif not recording.events:  # positions in rows of events are points, not a track
-            found.positions[number] = machine_positions(Series(each.column, each.times, each.values))
+            found.positions[number] = machine_positions(Series(each.column, each.times, each.scaled))
     return found
 
 
@@ -118,16 +118,15 @@ def since(recording: MeasuredRecording, zero: float, clock: float = 1.0) -> Meas
     )
 
 
-def _check(target: str) -> None:
+def _kind(target: str) -> tuple[str, int]:
     kind, _, number = target.partition(".")
-    if kind not in CHANNELS or not number.isdecimal():
-        hint = "write input.3, output.1, analogue.0, position.0 or time"
-        raise ProgramError.of(
-            "recording", f"{target!r} is nothing that init reads from a recording", hint=hint
-        )
+    if kind in CHANNELS and number.isdecimal():
+        return kind, int(number)
+    hint = "write input.3, output.1, analogue.0, position.0 or time"
+    raise ProgramError.of("recording", f"{target!r} is nothing that init reads from a recording", hint=hint)
 
 
-def _digital(signal: Signal, recording: Recording) -> Digital:
+def _digital(signal: RecordedSignal, recording: Recording) -> Digital:
     """Return the changes of a channel that has two levels, of any voltage, or -1 for true."""
     values, times = signal.values, signal.times
     low, high = float(values.min()), float(values.max())
@@ -148,7 +147,7 @@ def _digital(signal: Signal, recording: Recording) -> Digital:
         levels, times = share[known] > 0.5, times[known]
     else:
         levels = np.full(len(values), low + high > 1.0)
-    levels = levels != signal.inverted
+    levels = levels != (signal.factor is not None and signal.factor < 0.0)
     # A row for each change has its time; a sampled channel has changed between two rows.
     changes = [
         LevelChange(
