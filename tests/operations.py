@@ -14,6 +14,7 @@ OPERATIONS: dict[str, str] = {
     "set_limit_action": "Say what an axis does at a limit.",
     "lock": "Say with which faults an axis takes no motion.",
     "forget_history": "Drop data that is no longer needed.",
+    "forget_text": "Drop source offsets of a text that has been replaced.",
     "set_fault_handler": "Subscribe to errors between statements.",
     "set_servo_model": "Say whose gains those of a servo loop are.",
     "restore": "Give all settings of an axis their values at power-up.",

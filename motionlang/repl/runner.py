@@ -106,8 +106,7 @@ class Runner:
         scheduler.tasks = [task, *(each for each in scheduler.tasks if each is not before and not each.done)]
         scheduler.interrupts = [each for each in scheduler.interrupts if not each.done]
         scheduler.current = task
-        for axis in self.machine.controller.axes.values():
-            axis.zeroed_at = -1  # an offset in the text of an earlier command
+        self.machine.controller.forget_text()
 
     def _guard(self, source: Source, work: Callable[[], bool]) -> bool:
         """Call `work`; report any error and keep the machine running."""

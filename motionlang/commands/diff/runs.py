@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import inf
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from motionlang.commands.diff.acts import (
     HANDLERS,
@@ -21,11 +21,13 @@ from motionlang.commands.diff.acts import (
 )
 from motionlang.commands.diff.charged import Charge, charged
 from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
-from motionlang.commands.diff.motion import Divergence, divergence
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.ways_view import difference_words, later_words
 from motionlang.kernel import Run
 from motionlang.views.table import Column, Document, Table
+
+if TYPE_CHECKING:  # which needs numpy
+    from motionlang.commands.diff.motion import Divergence
 
 # So many differences of a kind are shown, and so many lines that have another time.
 MAX_LINES, MAX_CHARGED = 12, 4
@@ -80,6 +82,8 @@ def _events(run: Run, line: Any) -> Iterator[ComparedAct]:
 
 def compared_runs(a: Run, b: Run, tolerance: Tolerance | None = None) -> RunsCompared:
     """Compare two runs, exactly or within a tolerance."""
+    from motionlang.commands.diff.motion import divergence
+
     tolerance = tolerance or Tolerance()
     found = compared(way_of(a), way_of(b), tolerance)
     cycles = a.cycle, b.cycle

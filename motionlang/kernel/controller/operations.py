@@ -387,3 +387,8 @@ class Controller(Readings):
         Ten times as many profiles are retained.
         """
         self.log.forget(most, self.axes.values())
+
+    def forget_text(self) -> None:
+        """Forget where a text has set speeds to 0, which another one replaces."""
+        for a in self.axes.values():
+            a.zeroed_at = -1

@@ -1,8 +1,8 @@
 """The form of a statement: a text that all spellings of it share.
 
-Constants are folded, Defines replaced, keywords have their names, and operands of sums, products and comparisons have
-one order, unless one of them does something when it is read. `NAME` marks a name of the program, so that a reader can
-take renamed ones for one.
+Constants are folded, Defines replaced, keywords have their newest names, and operands of sums, products and comparisons
+have one order, unless one of them does something when it is read. `NAME` marks a name of the program, so that a reader
+can take renamed ones for one.
 """
 
 from __future__ import annotations
@@ -55,7 +55,8 @@ def _name(node: nodes.Name) -> str:
         return form(found)
     arguments = "" if node.args is None else form(node.args)
     if node.symbol is None and node.row is not None:
-        return f"{_ACTS if node.row.driven == 'key' else ''}{node.row.name}{arguments}"
+        name = node.row.name if "=" in node.row.renamed else node.row.renamed or node.row.name
+        return f"{_ACTS if node.row.driven == 'key' else ''}{name}{arguments}"
     is_call = node.symbol is not None and node.symbol.kind == "sub"
     return f"{_ACTS if is_call else ''}{NAME}{node.name.lower()}{arguments}"
 
