@@ -239,11 +239,15 @@ class Later(NamedTuple):
 
 
 class ComparedActs(NamedTuple):
-    """The differences of two played ways: what is done, what comes later, and the pairs of equal acts."""
+    """The differences of two played ways: what is done, what comes later, and the pairs of equal acts.
+
+    `undecided` are acts of one side that the end of the way may have cut off on the other one.
+    """
 
     differences: Sequence[ActDifference]
     later: Sequence[Later]
     pairs: Sequence[tuple[ComparedAct, ComparedAct]]
+    undecided: Sequence[ComparedAct] = ()
 
 
 def compared(a: PlayedWay, b: PlayedWay, tolerance: Tolerance = IN_WAYS) -> ComparedActs:
@@ -251,16 +255,17 @@ def compared(a: PlayedWay, b: PlayedWay, tolerance: Tolerance = IN_WAYS) -> Comp
     found: list[ActDifference] = []
     later: list[Later] = []
     pairs: list[tuple[ComparedAct, ComparedAct]] = []
+    undecided: list[ComparedAct] = []
     # By how much each axis may be elsewhere, in counts, since a move of it was cut off a little earlier or later.
     drift: dict[str, float] = defaultdict(float)
     end = min(a.until, b.until)
     for task in dict.fromkeys((*a.acts, *b.acts)):
         mine, others = ([each for each in one.acts.get(task, ()) if each.begin <= end] for one in (a, b))
-        pairs += _task(mine, others, (a, b), tolerance, found, later, drift)
+        pairs += _task(mine, others, (a, b), tolerance, found, later, undecided, drift)
     found.sort(key=lambda each: each.begin)
     if not found:
         found += _ends(a, b, tolerance, {int(axis.split()[1]): far for axis, far in drift.items()})
-    return ComparedActs(found, later, pairs)
+    return ComparedActs(found, later, pairs, undecided)
 
 
 def _task(
@@ -270,6 +275,7 @@ def _task(
     tolerance: Tolerance,
     found: list[ActDifference],
     later: list[Later],
+    undecided: list[ComparedAct],
     drift: dict[str, float],
 ) -> list[tuple[ComparedAct, ComparedAct]]:
     pairs: list[tuple[ComparedAct, ComparedAct]] = []
@@ -294,7 +300,7 @@ def _task(
             continue
         if hunk:
             last = pairs[-1] if pairs else None
-            _add(found, [*_overdue(hunk, last, ways)] if is_end else hunk)
+            _add(found, [*_overdue(hunk, last, ways, undecided)] if is_end else hunk)
             hunk = []
         if one is not None and other is not None:
             lags.append(other.end - one.end)
@@ -304,21 +310,29 @@ def _task(
 
 
 def _overdue(
-    hunk: Sequence[Row], last: tuple[ComparedAct, ComparedAct] | None, ways: tuple[PlayedWay, PlayedWay]
+    hunk: Sequence[Row],
+    last: tuple[ComparedAct, ComparedAct] | None,
+    ways: tuple[PlayedWay, PlayedWay],
+    undecided: list[ComparedAct],
 ) -> Iterator[Row]:
-    """Yield what differs behind the last act that both have, but for what the other side may still do.
+    """Yield what differs behind the last act that both have; what the other side may still do is `undecided`.
 
-    What one side does so long after that act, or its last change, must be overdue on the other one when its way ends.
+    What one side alone does so long after that act, or its last change, must be overdue on the other one when its way
+    ends: if both have had acts before, the other one may be slower.
     """
     done = [max(ways[side].changed, 0.0 if last is None else last[side].begin) for side in (0, 1)]
+    slower = 1.0 if last is None else OVERDUE
+    are_both = all(any(row[side] is not None for row in hunk) for side in (0, 1))
     for row in hunk:
         rooms = [
-            ways[1 - side].until - done[1 - side] - OVERDUE * (act.begin - done[side])
+            (ways[1 - side].until - done[1 - side] - slower * (act.begin - done[side]), act)
             for side, act in enumerate(row)
             if act is not None
         ]
-        if min(rooms) > TAIL or None not in row:
+        if are_both or rooms[0][0] > TAIL:
             yield row
+        else:
+            undecided.append(rooms[0][1])
 
 
 def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:

@@ -18,7 +18,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain
 
 from motionlang.commands.cover import coverage
-from motionlang.commands.diff.acts import PlayedWay
+from motionlang.commands.diff.acts import ComparedActs, PlayedWay
 from motionlang.commands.diff.align import aligned
 from motionlang.kernel import Program
 from motionlang.kernel.lang import ACTS, LEADS, NAME
@@ -80,8 +80,13 @@ class ChangedProgram:
         declared = set[int]() if self._is_shown else self.changed - self._played
         return (self._silent - self._shown) | {at for at in declared if self._effects[at] == ACTS}
 
-    def note(self, played: PlayedWay, own: Set[str], others: Set[str], differs: bool) -> None:
-        """Take note of a way; `own` and `others` are the forms of what acted in it, here and in the other program."""
+    def note(
+        self, played: PlayedWay, own: Set[str], others: Set[str], undecided: Set[int], differs: bool
+    ) -> None:
+        """Take note of a way; `own` and `others` are the forms of what acted in it, here and in the other program.
+
+        `undecided` are the lines of acts that the end of the way may have cut off in one of them.
+        """
         begun = played.begun | {at for at, _, _ in played.outcomes}
         self.begun |= begun
         self.outcomes |= played.outcomes
@@ -94,6 +99,7 @@ class ChangedProgram:
             for at in self.changed & begun
             if (self._effects[at] == ACTS and self.forms[at] not in others)
             or (self._effects[at] == LEADS and own != others)
+            or self._lines[at] in undecided
         }
 
     def acted(self, played: PlayedWay) -> set[str]:
@@ -152,12 +158,14 @@ def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedPro
 
 
 def note_played(
-    texts: tuple[ChangedProgram, ChangedProgram], played: tuple[PlayedWay, PlayedWay], differs: bool
+    texts: tuple[ChangedProgram, ChangedProgram], played: tuple[PlayedWay, PlayedWay], result: ComparedActs
 ) -> None:
-    """Take note of a way that was played in both programs; `differs` is True if they did something else in it."""
+    """Take note of a way that was played in both programs, and of what differed in it."""
+    undecided = {each.line for each in result.undecided}
+    differs = bool(result.differences or result.later)
     acted = [text.acted(each) for text, each in zip(texts, played, strict=True)]
     for k, (text, each) in enumerate(zip(texts, played, strict=True)):
-        text.note(each, acted[k], acted[1 - k], differs)
+        text.note(each, acted[k], acted[1 - k], undecided, differs)
 
 
 def _renamed(a: ChangedProgram, b: ChangedProgram) -> dict[str, str]:

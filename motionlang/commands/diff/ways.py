@@ -428,7 +428,7 @@ class _Comparison:
 
     def _note(self, way: Way, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs) -> None:
         found = self.found
-        note_played(self._texts, (a, b), bool(result.differences or result.later))
+        note_played(self._texts, (a, b), result)
         found.played += 1
         alone = self._alone(way, a, b)
         if result.differences and alone:

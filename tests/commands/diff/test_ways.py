@@ -167,6 +167,7 @@ LOOP = (
     + "Dim n As Integer, t As Integer, b As Integer\nLoop\n  PAUSE INX(1)\n{}\n  PAUSE Not INX(1)\nEnd Loop\n"
 )
 GO = " : GO(0) : PAUSE IDLE(0)"
+COUNT = LOOP.format('  n = n + 1\n  If n = 60 Then PRINT "full" : n = 0')
 VERDICTS = [
     # Two inputs that decide together; a level that nothing waits for, and one that a speed depends on.
     (LOOP.format(f"  If INX(2) And INX(3) Then MOVER(0) = 7{GO}"), "= 7", "= 8", "with the world of init: A axis 0"),
@@ -177,7 +178,9 @@ VERDICTS = [
     (f"MASTERCHANNEL(0) = 2 : MASTERSOURCE(0) = 2 : FOLLOW(0) = 1\n{LOOP.format('  OUTX(1) = 1')}",
      "FOLLOW(0) = 1", "FOLLOW(0) = 2", "with encoders that turn: A axis 0 FOLLOW at 1000"),
     # A count, a press that is long, a time-out.
-    (LOOP.format('  n = n + 1\n  If n = 60 Then PRINT "full" : n = 0'), "60", "61", "'full' comes 0.600 s later in B"),
+    (COUNT, "60", "61", "'full' comes 0.600 s later in B"),
+    (COUNT, '"full"', '"box full"', "A 'full' after 35.70 s, B 'box full'"),
+    (COUNT, 'PRINT "full" : ', "", "A 'full' after 35.70 s, B does not"),
     (LOOP.format('  t = TIME\n  PAUSE Not INX(1)\n  If TIME - t > 2000 Then PRINT "long"'), '"long"', '"LONG"',
      "A 'long' after 0.00 s, B 'LONG'"),
     (HEAD + 'Dim t As Integer\nLoop\n  t = TIME\n  PAUSE INX(1) Or TIME - t > 150000\n  PRINT "on"\n'
