@@ -35,6 +35,7 @@ def test_the_extension_has_the_version_of_the_package() -> None:
     [
         ("CITATION.cff", r"^version: (\S+)$"),
         ("CHANGELOG.md", r"^## (\S+)$"),  # the first section is of the version to be released
+        ("docs/contributing/commands.md", r"\"motionlang == (\S+)\""),
         ("docs/sweep.md", r"motionlang:(\d[\d.]+)\""),
     ],
 )

@@ -1,16 +1,24 @@
-"""The complete command line, parsed by argparse; commands are imported on demand."""
+"""The complete command line, parsed by argparse; commands are imported on demand.
+
+Other distributions add commands by entry points: docs/contributing/commands.md.
+"""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 from motionlang.cli.command import Command
 from motionlang.cli.parser import Parser
+from motionlang.kernel.tools import as_hint
 from motionlang.kernel.version import __version__
 
-PROGRAM = "motionlang"
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
+
+PROGRAM, VERSION = "motionlang", ("-V", "--version")
 # Every command by its group: the class that has its options and does its work, imported only for this command, and its
 # summary.
 GROUPS = {
@@ -94,23 +102,40 @@ def parse(given: Sequence[str]) -> Command:
     return made
 
 
-def _listing() -> str:
+def _listing(others: Mapping[str, EntryPoint]) -> str:
     """Return the commands by group, with their summaries."""
+    groups = {title: {name: row[1] for name, row in rows.items()} for title, rows in GROUPS.items()}
+    if others:
+        groups["commands of other packages"] = {name: _summary(each) for name, each in others.items()}
     lines = []
-    for title, rows in GROUPS.items():
-        lines += [f"{title}:", *(f"  {name:<11} {summary}" for name, (_, summary) in rows.items()), ""]
+    for title, summaries in groups.items():
+        lines += [f"{title}:", *(f"  {name:<11} {summary}" for name, summary in summaries.items()), ""]
     return "\n".join(lines)
+
+
+def _others() -> dict[str, EntryPoint]:
+    """Return the commands of other distributions, by name."""
+    from importlib.metadata import entry_points  # as slow as a tenth of a short run, which needs none
+
+    found = {each.name: each for each in entry_points(group="motionlang.commands")}
+    return {name: found[name] for name in sorted(found.keys() - COMMANDS.keys())}
+
+
+def _summary(other: EntryPoint) -> str:
+    """Return the summary of a command's distribution, which is known without importing the command."""
+    return as_hint(str(other.dist.metadata.json.get("summary", ""))) if other.dist else ""
 
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
     """Return the parser of a command, of all commands if it is "*", or of their names alone."""
+    others = {} if command in (*COMMANDS, *VERSION) else _others()
     parser = Parser(
         prog=PROGRAM,
         usage=f"{PROGRAM} [-h] [-V] COMMAND ...",
         description="Run motion-controller programs offline: Mint (Baldor/ABB) and MCCL (PMC).",
-        epilog=_listing() + EPILOG,
+        epilog=_listing(others) + EPILOG,
     )
-    parser.add_argument("-V", "--version", action="version", version=f"{PROGRAM} {__version__}")
+    parser.add_argument(*VERSION, action="version", version=f"{PROGRAM} {__version__}")
     commands = parser.add_subparsers(prog=PROGRAM, metavar="COMMAND", required=True, help=argparse.SUPPRESS)
     for name in [command] if command in COMMANDS else COMMANDS:
         module, summary = COMMANDS[name]
@@ -119,4 +144,12 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
             getattr(import_module(f"motionlang.{file}"), made).add(commands, name, summary)
         else:
             commands.add_parser(name, help=summary)
+    for name, each in others.items():
+        if command not in (name, "*"):
+            commands.add_parser(name, help=_summary(each))
+            continue
+        try:
+            each.load().add(commands, name, _summary(each))
+        except Exception as error:  # not a mistake of this package
+            parser.exit(2, f"{PROGRAM}: error: {each.value} for the command {name} cannot be used: {error}\n")
     return parser
