@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from motionlang.kernel import Outside, Program, Run
 
-TESTS = Path(__file__).parent
+TESTS = Path(__file__).parent / "tests"
 
 # The tests share the processors already: threads of NumPy's BLAS would only wait for each other, in this process
 # and in those that it starts.
