@@ -150,7 +150,7 @@ def motors() -> float:
 
 def hosts() -> float:
     """Return the median time of MCGetPositionEx over that of `1TP`, each on a connection to a served board."""
-    command = [sys.executable, "-m", "motionlang", "serve", "--tcp", "0", "--mcapi", "0"]
+    command = [sys.executable, "-m", "motionlang", "mcapi", "serve", "--tcp", "0", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
         guard = threading.Timer(120.0, server.kill)  # the server never outlives its measurement
         guard.start()

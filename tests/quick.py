@@ -15,6 +15,7 @@ from __future__ import annotations
 import ast
 import json
 import os
+import re
 import subprocess
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
@@ -88,8 +89,9 @@ def nearest(module: str, test_files: Iterable[str]) -> list[str]:
 
 
 def importers(helper: str, test_files: Iterable[str]) -> list[str]:
-    """Return the test files that import a helper module of the tests, or a tool."""
-    module = helper.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+    """Return the test files that import a helper module of the tests, a tool, or a module of extras."""
+    path = re.sub(r"^extras/\w+/", "", helper)
+    module = path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
     return [each for each in test_files if module in _imported(ROOT / each)]
 
 
@@ -111,7 +113,7 @@ def chosen(
     for name in changes:
         if name in known:
             whole.add(name)
-        elif name.startswith(("tests/", "tools/")):
+        elif name.startswith(("tests/", "tools/", "extras/")):
             whole.update(importers(name, known))
         elif name.startswith("motionlang/"):
             modules.add(name)
@@ -155,7 +157,11 @@ def main(since: str) -> int:
     """Run the steps and the tests at the same time; 1 if anything failed."""
     static = start_static()
     tests = recorded()
-    known = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "tests").rglob("test_*.py"))
+    known = sorted(
+        path.relative_to(ROOT).as_posix()
+        for folder in ("tests", "extras")
+        for path in (ROOT / folder).rglob("test_*.py")
+    )
     changes = changed(since)
     whole, names = chosen(changes, tests, known)
     print(f"== {len(changes)} changed since {since}, {len(whole)} test files, {len(names)} tests", flush=True)

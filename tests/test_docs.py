@@ -25,6 +25,7 @@ from _pytest.mark import ParameterSet
 from motionlang.cli import commands, main
 from motionlang.kernel import Source, read_machine, run
 from tests.cli.programs import parser_of
+from tests.extras import INSTALLED
 from tests.lab.notes.examples import printed
 
 ROOT = Path(__file__).parent.parent
@@ -34,6 +35,7 @@ PAGES = [
     *sorted((ROOT / "docs").glob("*.md")),
     *sorted((ROOT / "docs" / "commands").glob("*.md")),
     *sorted((ROOT / "docs" / "contributing").glob("*.md")),
+    *(page for each in INSTALLED for page in sorted(each.glob("docs/**/*.md"))),
 ]
 # The pages whose text names commands in passing.
 NAMING = [*PAGES, ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs" / "keywords").rglob("*.md"))]
@@ -83,7 +85,7 @@ def matches(shown: str, output: str) -> bool:
 def at_root(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Run commands in the checkout with the gallery; output goes to a scratch folder."""
     monkeypatch.chdir(tmp_path)
-    for name in ("scripts", "docs", "examples"):
+    for name in ("scripts", "docs", "examples", "extras"):
         os.symlink(ROOT / name, tmp_path / name)
     shutil.copytree(ROOT / "examples" / "old", tmp_path / "old")
     monkeypatch.setenv("COLUMNS", "100")

@@ -26,9 +26,7 @@ ELSEWHERE = {
     "cli/standard_streams.py",
     "repl/history.py",
     "_wheel.py",
-    # A log that grows by each call, a compiled library that is moved to its place, and streams of processes.
-    "hosts/commands/mcapi_run.py",
-    "hosts/mcapi/build.py",
+    # Streams of processes.
     "ide/lsp/server.py",
     "ide/lsp/workers.py",
 }

@@ -16,7 +16,10 @@ import pytest
 from tests.trees import nodes_of, text_of
 
 ROOT = Path(__file__).parents[1]
-PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
+PAGES = [
+    *(ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted(ROOT.glob("extras/*/README.md"))),
+    *(INDEXED := sorted([*(ROOT / "docs").rglob("*.md"), *ROOT.glob("extras/*/docs/**/*.md")])),
+]
 _LINK = re.compile(r"\]\((?!https?:|mailto:)([^)#\s]*)(?:#([^)\s]+))?\)")
 _FENCED = re.compile(r"^```.*?^```$", re.MULTILINE | re.DOTALL)
 
@@ -51,7 +54,7 @@ def test_the_index_has_every_page() -> None:
     # Their own indexes have the pages of the keywords, and of the commands.
     pages = [
         page
-        for page in PAGES[2:]
+        for page in INDEXED
         if page.parent.parent.name != "keywords" and page.parent.name != "commands" and page != index
     ]
     assert [str(page.relative_to(ROOT)) for page in pages if page not in linked] == []

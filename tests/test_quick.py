@@ -53,6 +53,7 @@ def test_a_changed_helper_runs_the_tests_that_import_it() -> None:
     here = "tests/test_quick.py"
     assert importers("tests/quick.py", [here]) == [here]
     assert importers("tests/built.py", [here]) == []
+    assert importers("extras/mcapi/tests/quick.py", [here]) == [here]
     derived = "tests/test_derived.py"
     assert chosen(["tools/derived.py"], {}, [here, derived]) == ([derived], [])
 

@@ -10,8 +10,13 @@ from pathlib import Path
 import pytest
 
 from motionlang import __version__
+from motionlang.cli.commands import EXTRAS
 
 ROOT = Path(__file__).parent.parent
+
+
+# The version of a distribution in extras, and the one that it needs.
+PINS = (r"^version = \"(\S+)\"$", r"\"motionlang == (\S+)\"")
 
 
 def text_of(name: str) -> str:
@@ -36,6 +41,7 @@ def test_the_extension_has_the_version_of_the_package() -> None:
         ("CITATION.cff", r"^version: (\S+)$"),
         ("CHANGELOG.md", r"^## (\S+)$"),  # the first section is of the version to be released
         ("docs/contributing/commands.md", r"\"motionlang == (\S+)\""),
+        *((f"extras/{name}/pyproject.toml", pattern) for name in EXTRAS for pattern in PINS),
         ("docs/sweep.md", r"motionlang:(\d[\d.]+)\""),
     ],
 )

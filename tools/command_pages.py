@@ -14,7 +14,7 @@ from pathlib import Path
 
 from motionlang.cli.commands import GROUPS, build_parser
 
-FOLDER = Path(__file__).parents[1] / "docs" / "commands"
+ROOT = Path(__file__).parents[1]
 _SECTION = re.compile(r"(<!-- (commands|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
@@ -38,8 +38,11 @@ def parsers() -> dict[str, argparse.ArgumentParser]:
 
 
 def pages() -> list[Path]:
-    """Return the pages, in order."""
-    return sorted(FOLDER.glob("*.md"))
+    """Return the pages, in order; those of the folder extras if their commands are installed."""
+    extras = [
+        each for each in ROOT.glob("extras/*/docs/commands/*.md") if each.stem in subparsers(build_parser())
+    ]
+    return sorted([*ROOT.glob("docs/commands/*.md"), *extras])
 
 
 def written(text: str) -> str:

@@ -26,7 +26,7 @@ GROUPS = (
         "tools.fidelity_page:files",
         "tools.sources_page:files",
         "tools.report_types:files",
-        "tools.mcapi_files:files",
+        "extras.mcapi.mcapi_files:files",
         "tools.command_pages:files",
         "tools.diagnostics_page:files",
         "tools.vscode_grammars:files",

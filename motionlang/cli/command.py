@@ -28,7 +28,7 @@ from motionlang.kernel.files import is_plain, same_file, unwritable
 from motionlang.kernel.tools import nearest, need, shown
 
 # What commands read in a folder, besides programs and golden files.
-DATA = (".toml", ".mcapi-log")
+DATA = ".toml"
 # The optional library that writes a format.
 WRITERS = {".png": "matplotlib", ".parquet": "pyarrow"}
 

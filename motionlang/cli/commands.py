@@ -70,7 +70,6 @@ GROUPS = {
     },
     "connect hosts": {
         "serve": ("hosts.commands.serve:Serve", "let hosts talk to a virtual controller"),
-        "mcapi": ("hosts.commands.mcapi:McapiCommand", "run hosts of PMC boards as they are"),
     },
     "editor, shell and help": {
         "lsp": ("ide.lsp.command:Lsp", "serve an editor: diagnostics, completion, names, simulated times"),
@@ -80,7 +79,9 @@ GROUPS = {
     },
 }
 COMMANDS = {name: row for rows in GROUPS.values() for name, row in rows.items()}
-Parser.verbs = COMMANDS
+# The commands of the distributions in the folder extras, which may not be installed.
+EXTRAS = ("mcapi",)
+Parser.verbs = (*COMMANDS, *EXTRAS)
 
 EPILOG = """\
 
@@ -135,6 +136,9 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
         description="Run motion-controller programs offline: Mint (Baldor/ABB) and MCCL (PMC).",
         epilog=_listing(others) + EPILOG,
     )
+    if command in EXTRAS and command not in others:
+        install = f"python -m pip install ./extras/{command}"
+        parser.exit(2, f"{PROGRAM}: error: {command} needs motionlang-{command}: {install}\n")
     parser.add_argument(*VERSION, action="version", version=f"{PROGRAM} {__version__}")
     commands = parser.add_subparsers(prog=PROGRAM, metavar="COMMAND", required=True, help=argparse.SUPPRESS)
     for name in [command] if command in COMMANDS else COMMANDS:

@@ -11,14 +11,13 @@ from motionlang.kernel import dialect, dialects
 PATHS = "programs, or folders of programs; default: this folder"
 
 
-def programs(paths: Sequence[str], *more: str) -> list[str]:
+def programs(paths: Sequence[str]) -> list[str]:
     """Return the programs among the paths; those of a folder by extension, in order.
 
-    `more` are further extensions of files to return. One of several folders is returned itself if it has no programs,
-    so that the command names it.
+    One of several folders is returned itself if it has no programs, so that the command names it.
     """
     found: list[str] = []
-    suffixes = (*(suffix for name in dialects() for suffix in dialect(name).suffixes), *more)
+    suffixes = tuple(suffix for name in dialects() for suffix in dialect(name).suffixes)
     for path in paths:
         if not os.path.isdir(path):
             found.append(path)

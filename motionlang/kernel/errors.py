@@ -60,7 +60,6 @@ CODES: dict[str, str] = {
     "extra": "An optional library that the command needs is not installed.",
     "file": "The file could not be read or written.",
     "address": "The TCP address or serial device cannot be served or reached.",
-    "mcapi": "The library for hosts, a host program or a log of its calls cannot be used.",
     "machine-file": "The machine file is invalid.",
     "option": "An option of the command line does not fit the program or its machine file.",
     "guess": "The result depends on guesses of motionlang init.",
@@ -114,6 +113,7 @@ CODES: dict[str, str] = {
 class Diagnostic:
     """One error: `line` and `column` count from 1, `length` is the width of carets.
 
+    `code` is one of `CODES`, or of another package that reports by it.
     `column` 0 means that only the line is known, `line` 0 that the error is about the whole file. `count` is the
     number of occurrences in a run, from the machine time `first` to `last`, s. `fix` is the correction of the marked
     text if it is unambiguous, or "". `candidates` are texts that may have been meant instead of it.
@@ -137,7 +137,6 @@ class Diagnostic:
         fix: str = "",
         candidates: Sequence[str] = (),
     ) -> None:
-        assert code in CODES, code
         self.code, self.message, self.line, self.column = code, message, line, column
         self.length, self.hint, self.severity, self.fix = length, hint, severity, fix
         self.candidates = tuple(candidates)

@@ -127,12 +127,7 @@ def test_a_command_has_its_own_page(cell: Cell) -> None:
         (["RUN"], "Run · Mint", None),
         (["run", "--lang", "mint"], "Run · Mint", None),
         (["servo"], "usage: motionlang servo", "a group of keywords, too: motionlang help servo --lang mint"),
-        (
-            ["mcapi"],
-            "usage: motionlang mcapi",
-            'the code of a diagnostic, too: motionlang help "error[mcapi]"',
-        ),
-        (["error[mcapi]"], "mcapi\n", None),
+        (["error[limit]"], "limit\n", None),
         (["Limit"], "LIMIT · Mint", 'the code of a diagnostic, too: motionlang help "error[limit]"'),
         (
             ["axis"],

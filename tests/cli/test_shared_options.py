@@ -9,6 +9,7 @@ import pytest
 
 from tests.cases import cases
 from tests.cli.programs import ALL, Cell
+from tests.extras import INSTALLED
 
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 # Each command, with what it needs.
@@ -34,9 +35,11 @@ LINES: dict[str, str] = {
     "servo tune": "",
     "servo run": "a.mnt",
     "serve": "a.mnt --tcp 127.0.0.1:0",
-    "mcapi run": "a.mnt",
-    "mcapi replay": "a.log",
 }
+EXTRAS = {
+    "mcapi": {"mcapi run": "a.mnt", "mcapi serve": "--port 0", "mcapi replay": "a.log"},
+}
+LINES |= {command: line for each in INSTALLED for command, line in EXTRAS[each.name].items()}
 # A wrong value of an option, and what every command says to it.
 WRONG = (
     ("--format x", "argument --format: 'x' is not one of "),

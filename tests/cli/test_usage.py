@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from motionlang.cli import main
+from motionlang.cli.commands import EXTRAS
 
 
 def test_a_line_of_options_alone_names_no_command(capsys: pytest.CaptureFixture[str]) -> None:
@@ -26,7 +27,7 @@ def test_a_command_of_a_command_that_there_is_not(capsys: pytest.CaptureFixture[
     [
         ("pvt refine --timee 5", "pvt refine", "did you mean --time?"),
         ("servo step --bandwith 9", "servo step", "did you mean --bandwidth?"),
-        ("mcapi run --recrod x y", "mcapi run", "did you mean --record?"),
+        ("serve --mcapi 5011", "serve", "motionlang mcapi is a command of its own"),
         ("run x.mnt --untl 5", "run", "did you mean --until?"),
     ],
 )
@@ -38,3 +39,16 @@ def test_an_unknown_option_is_compared_with_those_of_its_command(
     error, said = capsys.readouterr().err.splitlines()
     assert error.startswith(f"motionlang {command}: error: unrecognized arguments: --")
     assert said == f"  hint: {hint}"
+
+
+@pytest.mark.parametrize("name", EXTRAS)
+@pytest.mark.parametrize("line", ["{} serve", "{} --help", "help {}"])
+def test_a_command_of_a_package_that_is_not_installed(
+    name: str, line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("importlib.metadata.entry_points", lambda group: ())
+    with pytest.raises(SystemExit) as end:
+        main(line.format(name).split())
+    assert end.value.code == 2
+    install = f"python -m pip install ./extras/{name}"
+    assert capsys.readouterr() == ("", f"motionlang: error: {name} needs motionlang-{name}: {install}\n")

@@ -25,7 +25,6 @@ NOT_BY_A_PROGRAM = {
     "file": "a file cannot be read or written",
     "golden": "the command verify finds it",
     "interrupted": "Ctrl-C or a signal",
-    "mcapi": "a host program or its library cannot be used",
     "option": "an option of the command line",
     "recording": "the command compare reads a recording",
     "window": "a command draws or traces a part of a run",

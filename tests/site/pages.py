@@ -39,9 +39,9 @@ def site_path(path: str) -> str | None:
     """Return the path of a project file on the site; None if it is not there."""
     if path in MOVED:
         return MOVED[path]
-    if path.startswith("docs/") and (ROOT / path).is_file():
-        return path.removeprefix("docs/")
-    return None
+    folder, _, name = path.partition("docs/")
+    is_page = not folder or re.fullmatch(r"extras/\w+/", folder)
+    return name if is_page and name and (ROOT / path).is_file() else None
 
 
 def rewritten(text: str, page: str, run: Callable[[str, str], str]) -> str:
@@ -101,7 +101,7 @@ def main() -> None:
     contents = json.loads((DIST / "contents.json").read_text(encoding="utf-8"))
     gallery = {f"scripts/{each['dialect']}/{each['name']}": each for each in contents["gallery"]}
     shutil.rmtree(PAGES, ignore_errors=True)
-    for path in sorted([*(ROOT / "docs").rglob("*"), *ROOT.glob("*.md")]):
+    for path in sorted([*(ROOT / "docs").rglob("*"), *ROOT.glob("extras/*/docs/**/*"), *ROOT.glob("*.md")]):
         source = path.relative_to(ROOT).as_posix()
         target = site_path(source)
         if target is None or not path.is_file():

@@ -11,7 +11,7 @@ from tests.built import ROOT
 from tests.cases import cases
 from tests.site.check import problems
 from tests.site.fragments import fragment
-from tests.site.pages import rewritten, runnable
+from tests.site.pages import rewritten, runnable, site_path
 
 
 def unpacked(text: str) -> object:
@@ -68,8 +68,9 @@ def test_a_program_of_the_gallery_comes_with_its_machine_file() -> None:
 def test_each_page_of_the_menu_exists() -> None:
     menu = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("nav:\n")[2]
     named = {line.rpartition(": ")[2] for line in menu.splitlines() if line.endswith(".md")}
-    pages = {path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").rglob("*.md")}
-    assert named == pages - {"README.md"} | {"index.md", "contents.md", "CONTRIBUTING.md"}
+    globs = ("README.md", "CONTRIBUTING.md", "docs/**/*.md", "extras/*/docs/**/*.md")
+    pages = [page.relative_to(ROOT).as_posix() for each in globs for page in ROOT.glob(each)]
+    assert named == {site_path(page) for page in pages}
 
 
 def test_the_checker_finds_what_is_wrong(tmp_path: Path) -> None:

@@ -101,7 +101,8 @@ examples:
     def _meanings(self, name: str) -> list[Meaning]:
         """Return the command, keyword, code, assumption and group of a name; all but the first are only named."""
         found: list[Meaning] = []
-        parser = _parser(name.split()) if self._wants_all else None
+        words = name.split()
+        parser = _parser(words) if self._wants_all and (not words or words[0] in COMMANDS) else None
         if parser is not None:
             found.append(Meaning("a command", name, parser.format_help))
         pasted = re.fullmatch(r"(?:error|warning)\[(.*)\]:?", name.strip())
@@ -119,8 +120,12 @@ examples:
             found.append(Meaning("an assumption", name, partial(_assumption, assumption)))
         groups = self._groups(name) if found and not keywords and not pasted else {}
         if groups:
-            words = f"{name} --lang {next(iter(groups))}"
-            found.append(Meaning("a group of keywords", words, partial(_listings, groups)))
+            lang = f"{name} --lang {next(iter(groups))}"
+            found.append(Meaning("a group of keywords", lang, partial(_listings, groups)))
+        if not found and self._wants_all:  # to find commands of other packages takes longer than all else
+            parser = _parser(words)
+            if parser is not None:
+                found.append(Meaning("a command", name, parser.format_help))
         return found
 
     def _keywords(self, name: str) -> tuple[Found, int]:

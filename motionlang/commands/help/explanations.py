@@ -129,10 +129,6 @@ EXAMPLES: dict[str, Pair] = {
     ),
     "extra": _commands({MINT: _MOVE}, f"trace {MINT} pick.parquet", f"trace {MINT} pick.csv"),
     "file": _commands({MINT: _MOVE}, "run pack.mnt", f"run {MINT}"),
-    "mcapi": (
-        Example({"calls.log": "mcapi-log\n"}, "mcapi replay calls.log"),
-        Example({"calls.log": "mcapi-log 1\n"}, "mcapi replay calls.log"),
-    ),
     "address": _commands({MCCL: "1MN\n"}, "serve --tcp 203.0.113.1:5000", "serve --tcp 127.0.0.1:5000"),
     "machine-file": _machines(_MOVE, "[axis.0]\nspeeed = 5\n", "[axis.0]\ntravel = [0, 10]\n"),
     "option": _commands(
@@ -200,7 +196,6 @@ FIXES: dict[str, str] = {
     "recording": "assign its columns with --map; the hint lists them",
     "extra": "install the library with the command in the hint, or choose another format",
     "file": "give the path of a file that exists, in a folder that you may read and write",
-    "mcapi": "compile the library with motionlang mcapi build, or record the log again with mcapi run --record",
     "address": "choose a free port, and an address of this computer",
     "machine-file": "write the key or the value that the hint names; motionlang check PROGRAM reports all mistakes of "
     "the file, and docs/machine-file.md lists all keys",

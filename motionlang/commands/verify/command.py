@@ -32,7 +32,6 @@ from motionlang.commands.verify.further import (
 from motionlang.commands.verify.verdict import Verdict
 from motionlang.kernel import (
     ProgramError,
-    Rejected,
     Run,
     dialect_of,
     settings_next_to,
@@ -42,10 +41,9 @@ from motionlang.processes.parallel import in_parallel
 from motionlang.views.diagnostics import diagnostics_table
 from motionlang.views.table import Column, Document, Table
 
-KINDS = ("check", "program", "scenario", "sweep", "log", "certificate")
+KINDS = ("check", "program", "scenario", "sweep", "certificate")
 # The commands whose findings another format names in place of verify.
 COMMANDS = {"check": "check", "certificate": "certify"}
-LOG_SUFFIX = ".mcapi-log"
 NO_ANSWER = """\
 --review needs answers, but standard input is at its end. Run it in a terminal, pipe the answers, one per line, or
 rewrite all golden files with --update. Those of this program are unchanged.
@@ -69,9 +67,8 @@ class Verify(Jobs, Findings):
     title: ClassVar[str] = "checks"
     epilog: ClassVar[str] = """\
 The golden files of pick.mnt are pick.golden.json, with its report, and
-pick.golden.txt, with its output. A log of calls, host.mcapi-log, must replay
-without a difference. Without golden files, [[expect]] entries, scenarios and a
-sweep are checked; a program with nothing to check is an error.
+pick.golden.txt, with its output. Without golden files, [[expect]] entries,
+scenarios and a sweep are checked; a program with nothing to check is an error.
 
 With --also check,certify one command does what a pipeline needs: the errors and
 warnings of each text, the golden files and scenarios, and the certificate of
@@ -106,7 +103,7 @@ examples:
     def run(self) -> int:
         if "certify" in self.also:
             need("motionlang verify --also certify", "numpy")
-        found = programs(self.paths, LOG_SUFFIX)
+        found = programs(self.paths)
         if not found:
             sys.stderr.write(f"no programs in {', '.join(self.paths)}\n")
             return 1
@@ -203,12 +200,10 @@ def _document(verdicts: Sequence[Verdict]) -> Document:
 
 
 def _verdicts_of(rewrite: bool, also: Collection[str], program: str) -> list[Verdict]:
-    """Return the verdicts of a program, its scenarios and its sweep, or that of a log.
+    """Return the verdicts of a program, its scenarios and its sweep.
 
     `also` may have "check" and "certify". A text with errors is not run.
     """
-    if program.endswith(LOG_SUFFIX):
-        return [verify_log(program)]
     verdict, found = Verdict(program), list[Verdict]()
     if _is_readable(verdict):
         found = [check_text(program)] if "check" in also else []
@@ -281,23 +276,3 @@ def _is_readable(verdict: Verdict) -> bool:
     elif dialect_of(program) is None:
         verdict.refuse([no_dialect(program)])
     return not verdict.failed
-
-
-def verify_log(path: str) -> Verdict:
-    """Replay a log on the machine of the file next to it, or of the log's model."""
-    from motionlang.hosts.mcapi.log import BadLog
-    from motionlang.hosts.mcapi.replay import call_of, replay_file
-
-    verdict = Verdict(path, "log")
-    try:
-        with verdict.reading():
-            replay = replay_file(path, settings_next_to(path))
-            if replay.first is not None:
-                first = replay.first
-                where = f"{os.path.basename(path)}:{first.entry.line}"
-                verdict.report([f"{where}: {call_of(first.entry)}: {first.text}", replay.summary])
-    except BadLog as problem:
-        verdict.fail(f"line {problem.line}: {problem}")
-    except Rejected as rejected:
-        verdict.fail(rejected.message)
-    return verdict

@@ -16,7 +16,7 @@ from motionlang.kernel import Diagnostic, ProgramError, Source, machine_of
 class Verdict:
     """A result: `failed`, `lines` to print, and `diagnostics` about the file `path`.
 
-    `kind` is "program", "scenario", "sweep", "log", "check" or "certificate". `has_golden` is False for a program of
+    `kind` is "program", "scenario", "sweep", "check" or "certificate". `has_golden` is False for a program of
     which only expectations, scenarios or a sweep are checked. `is_outdated` is True if its golden files are missing or
     differ.
     """

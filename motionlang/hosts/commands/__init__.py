@@ -1,1 +1,1 @@
-"""The commands serve and mcapi, which share their options."""
+"""The command serve, and what it shares with other servers of hosts."""

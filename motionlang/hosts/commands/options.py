@@ -118,9 +118,9 @@ class Served(Addresses, Time, Lines, ProgramOptions):
 
 
 def listen(
-    server: Server, host: str, port: int, *, echo: bool = False, make: MakeHost | None = None
+    server: Server, host: str, port: int, *, echo: bool = False, make: MakeHost | None = None, what: str = ""
 ) -> str | None:
-    """Listen on an address and return what to print; None if it cannot be used."""
+    """Listen on an address and return what to print, with `what`; None if it cannot be used."""
     try:
         found, port = server.listen(host, port, echo, make)
     except (OSError, UnicodeError) as error:
@@ -131,7 +131,7 @@ def listen(
             f"warning: any computer that can reach this one can connect to {shown(found, port)}; there is "
             "no password"
         )
-    return f"listening on {shown(found, port)}{'' if make is None else ' for MCAPI'}\n"
+    return f"listening on {shown(found, port)}{what}\n"
 
 
 def until_signal(server: Server | DriveServer) -> None:

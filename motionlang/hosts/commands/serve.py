@@ -39,25 +39,20 @@ examples:
 
     def check(self) -> None:
         """Raise WrongOption if what is served does not fit the addresses."""
-        if not (self.tcp or self.pty or self.mcapi or self.modbus or self.can):
+        if not (self.tcp or self.pty or self.modbus or self.can):
             raise WrongOption(
-                "no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, --pty, or --can "
-                "INTERFACE:CHANNEL"
+                "no address for hosts: give --tcp or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL"
             )
         super().check()
         if self.can is not None:
             self._check_can()
-        if self.mcapi is not None and self._speaks_mint:
-            raise WrongOption(
-                "--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus"
-            )
         if self.modbus is not None:
             self._check_modbus()
 
     def _check_can(self) -> None:
-        if self.file or self.tcp or self.pty or self.modbus or self.mcapi:
+        if self.file or self.tcp or self.pty or self.modbus:
             raise WrongOption(
-                "--can serves drives, which run no program: leave out FILE, --tcp, --pty, --mcapi and --modbus"
+                "--can serves drives, which run no program: leave out FILE, --tcp, --pty and --modbus"
             )
         if self.clock != "real":
             raise WrongOption("--can needs --clock real: masters have their own time")

@@ -11,7 +11,6 @@ from types import SimpleNamespace
 
 import pytest
 
-from motionlang import mcapi
 from motionlang.client import AxisFault, Client, ClientError, CommandError, ConnectionLost, NoReply, Status
 from motionlang.hosts.channel import SerialWire
 from motionlang.hosts.mccl.console import Console
@@ -141,24 +140,6 @@ def test_an_axis_that_runs_into_its_limit(board: Client) -> None:
         board.wait_for_stop(1, timeout=60)
     assert error.value.status & Status.MOTOR_ERROR
     assert board.ask("2TP") == "02 0"
-
-
-# The flags of a client from bit 0 of the primary status word on, with PMC's names of these bits.
-FLAGS = {
-    "BUSY": "BUSY", "MOTOR_ON": "MTR_ENABLE", "AT_TARGET": "MODE_VEL", "STOPPED": "TRAJ", "NEGATIVE": "DIR",
-    "JOG_ENABLED": "JOG_ENAB", "HOMED": "HOMED", "MOTOR_ERROR": "ERROR", "LOOKING_FOR_INDEX": "LOOK_INDEX",
-    "LOOKING_FOR_EDGE": "LOOK_EDGE", "BREAKPOINT_REACHED": "BREAKPOINT", "FOLLOWING_ERROR": "FOLLOWING",
-    "AMPLIFIER_ON": "AMP_ENABLE", "AMPLIFIER_FAULT": "AMP_FAULT", "HARD_PLUS_ENABLED": "PLIM_ENAB",
-    "HARD_PLUS_TRIPPED": "PLIM_TRIP", "HARD_MINUS_ENABLED": "MLIM_ENAB", "HARD_MINUS_TRIPPED": "MLIM_TRIP",
-    "SOFT_HIGH_ENABLED": "PSOFT_ENAB", "SOFT_HIGH_TRIPPED": "PSOFT_TRIP", "SOFT_LOW_ENABLED": "MSOFT_ENAB",
-    "SOFT_LOW_TRIPPED": "MSOFT_TRIP",
-}  # fmt: skip
-
-
-@pytest.mark.parametrize(("bit", "flag"), list(enumerate(FLAGS)))
-def test_a_flag_has_the_bit_that_mcapi_numbers(bit: int, flag: str) -> None:
-    assert Status[flag] == 1 << bit
-    assert getattr(mcapi, f"MC_STAT_{FLAGS[flag]}") == bit
 
 
 def test_the_faults_of_an_axis_have_bits_of_their_own() -> None:

@@ -54,8 +54,7 @@ COMMANDS = (
      f"{MINT}, in lock step; Ctrl-C ends it\n{LISTENING}{SERVED}".replace("0.000", "0.500"), ""),
     ("plain.mnt --tcp 0 --clock lockstep --step 0", 0,
      f"{MINT}, in lock step; Ctrl-C ends it\n{LISTENING}{SERVED}", ""),
-    ("macros.mcl --tcp 0 --tcp 0 --mcapi 0", 0,
-     f"{BOARD}, in real time; Ctrl-C ends it\n{LISTENING * 2}{LISTENING[:-1]} for MCAPI\n{SERVED}", ""),
+    ("macros.mcl --tcp 0 --tcp 0", 0, f"{BOARD}, in real time; Ctrl-C ends it\n{LISTENING * 2}{SERVED}", ""),
     ("macros.mcl --tcp 0 --clock lockstep", 0,
      f"{BOARD}, in lock step; Ctrl-C ends it\n{LISTENING}{SERVED}", ""),
     ("--tcp 0 --set controller.axes=3", 0,
@@ -95,15 +94,12 @@ def test_the_output_of_a_server_without_hosts(
 
 # Wrong command lines, and the end of the message.
 WRONG = (
-    ("", "no address for hosts: give --tcp, --mcapi or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL"),
+    ("", "no address for hosts: give --tcp or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL"),
     ("--tcp 0 --factor 2 --clock lockstep", "--factor needs --clock real"),
     ("--tcp 0 --step 2", "--step needs --clock lockstep"),
     ("--tcp 0 --drives 2", "--drives and --eds need --can INTERFACE:CHANNEL"),
     ("--tcp 0 --eds x.eds", "--drives and --eds need --can INTERFACE:CHANNEL"),
     ("--tcp 0 --unit 1", "--unit needs --modbus HOST:PORT"),
-    ("plain.mnt --mcapi 0", "--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus"),
-    ("--lang mint --mcapi 0",
-     "--mcapi serves an MCCL board; serve a Mint program with --tcp, --pty or --modbus"),
     ("plain.mnt --modbus 0 --log", "--echo and --log need --tcp or --pty"),
     ("plain.mnt --modbus 0 --echo", "--echo and --log need --tcp or --pty"),
     ("--modbus 0", "--modbus needs a Mint program: motionlang serve FILE --modbus HOST:PORT"),
@@ -114,8 +110,8 @@ WRONG = (
     ("plain.mnt --lang mccl --modbus 0",
      "--modbus serves a Mint program; for a file with another extension add --lang mint"),
     *((f"--can virtual:x {more}",
-       "--can serves drives, which run no program: leave out FILE, --tcp, --pty, --mcapi and --modbus")
-      for more in ("plain.mnt", "--tcp 0", "--pty", "--mcapi 0", "--modbus 0")),
+       "--can serves drives, which run no program: leave out FILE, --tcp, --pty and --modbus")
+      for more in ("plain.mnt", "--tcp 0", "--pty", "--modbus 0")),
     ("--can virtual:x --clock lockstep", "--can needs --clock real: masters have their own time"),
     ("--can virtual:x --echo", "--echo and --log have no effect with --can"),
     ("--can virtual:x --log", "--echo and --log have no effect with --can"),
@@ -141,7 +137,7 @@ BOUNDS = ("--unit 1", "--unit 247", "--max-hosts 1", "--max-hosts 1000", "--fact
 
 @cases(
     "line, message",
-    (*WRONG, *((f"--mcapi 0 --lang mint {each} --drives 1", WRONG[3][1]) for each in BOUNDS)),
+    (*WRONG, *((f"--tcp 0 {each} --drives 1", WRONG[3][1]) for each in BOUNDS)),
 )
 def test_a_wrong_command_line(
     line: str, message: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

@@ -1,0 +1,9 @@
+"""The distributions of the folder extras that are installed; the tests of the package need none."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+INSTALLED = [each for each in sorted((ROOT / "extras").glob("*")) if find_spec(f"motionlang_{each.name}")]
