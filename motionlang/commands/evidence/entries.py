@@ -28,7 +28,6 @@ FILES = (
     "commands/evidence/servo.toml",
     "commands/evidence/copley.toml",
     "commands/evidence/serving.toml",
-    "commands/evidence/mcapi.toml",
     "commands/evidence/prompt.toml",
     "commands/evidence/report.toml",
 )
