@@ -34,7 +34,7 @@ RECORDED = "time_s,axis0_position_uu\n" + "".join(
 )
 # The options with which Python reports all that it warns of.
 STRICT = ("-X", "dev", "-W", "error")
-HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export", "stream")), "servo step"]
+HELP = [*COMMANDS, *(f"pvt {name}" for name in ("plot", "refine", "export")), "servo step"]
 # Real uses of every command, and in brackets the extra that each needs.
 USES = """\
 run move.mnt
@@ -57,7 +57,6 @@ pvt plot --positions 0,10,20 --time 10
 pvt plot --positions 0,10,20 --time 10 --plot pvt.png [plot]
 pvt refine --positions 0,10,20 --time 10
 pvt export --positions 0,10,20 --time 10 --format pdo
-pvt stream --positions 0,10,20 --time 10 [can]
 servo step
 servo step --plot step.png [plot]
 diff move.mnt move.mnt

@@ -49,7 +49,7 @@ FOLDERS = (
     "tests/kernel/tracks",
     "tests/generated/test_results.py",
 )
-TESTED_EXTRAS = ("can", "plot", "parquet", "completion")
+TESTED_EXTRAS = ("plot", "parquet", "completion")
 VERSION = "import platform; print(platform.python_version())"
 
 

@@ -20,7 +20,7 @@ pytestmark = pytest.mark.slow
 
 PACKAGE = Path(motionlang.__file__).parent
 # Libraries that take longer to import than most programs run, or may be missing.
-HEAVY = {"can", "canopen", "lark", "matplotlib", "numpy", "prompt_toolkit", "rich"}
+HEAVY = {"lark", "matplotlib", "numpy", "prompt_toolkit", "rich"}
 # Importer and lazily imported modules, both without the name of their package. A line may leave this list or
 # become shorter; none may grow or be added.
 LAZY = {

@@ -80,7 +80,7 @@ GROUPS = {
 }
 COMMANDS = {name: row for rows in GROUPS.values() for name, row in rows.items()}
 # The commands of the distributions in the folder extras, which may not be installed.
-EXTRAS = ("mcapi",)
+EXTRAS = ("mcapi", "copley")
 Parser.verbs = (*COMMANDS, *EXTRAS)
 
 EPILOG = """\

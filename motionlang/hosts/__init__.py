@@ -1,7 +1,6 @@
-"""Programs outside the controller: hosts that it serves, clients that talk to it, drives on a CAN bus.
+"""Programs outside the controller: hosts that it serves, clients that talk to it.
 
 `serve` lets hosts connect to a controller that runs a program, by the protocol of `console`; `mint` and `mccl` are the
 consoles, ports and line editors of the languages. `client` is the other end: answers and errors of a real, a served or
-a virtual board. `can` serves drives to any CANopen master, and `commands` has what is typed: `serve`. An ordinary run
-imports nothing of this package.
+a virtual board. `commands` has what is typed: `serve`. An ordinary run imports nothing of this package.
 """

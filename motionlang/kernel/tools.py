@@ -140,9 +140,6 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 LIBRARIES = {
     "matplotlib": ("plot", "matplotlib"),
     "pyarrow": ("parquet", "pyarrow"),
-    "can": ("can", "python-can"),
-    "canopen": ("can", "canopen"),
-    "msgpack": ("can", "msgpack"),
     "pygls": ("lsp", "pygls"),
     "serial": ("serial", "pyserial"),
     "shtab": ("completion", "shtab"),

@@ -10,8 +10,11 @@ from pathlib import Path
 import pytest
 
 from tests.cli.programs import Cell
+from tests.extras import INSTALLED
 
-PAGE = (Path(__file__).parents[2] / "docs" / "report.md").read_text(encoding="utf-8")
+REPORT = Path(__file__).parents[2] / "docs" / "report.md"
+PAGES = [REPORT, *(page for each in INSTALLED for page in each.glob("docs/commands/*.md"))]
+PAGE = "".join(page.read_text(encoding="utf-8") for page in PAGES)
 # The command, the table, "" for single values, and the fields.
 ROWS = re.findall(r"^\| `([a-z -]+)` \| (?:`(\w+)`)? ?\| (.+) \|$", PAGE, re.MULTILINE)
 START = "SPEED(0) = {speed} : ACCEL(0) = 1000 : DECEL(0) = 1000\nMOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\n"
@@ -32,7 +35,6 @@ COMMANDS = {
     "profile": "profile b.mnt",
     "pvt plot": "pvt plot --scurve 1000 --time 100",
     "pvt refine": "pvt refine --positions=0,200,900,500 --time 20",
-    "pvt stream": "pvt stream --scurve 1000 --time 100",
     "servo compare": "servo compare --speed 100 --accel 1000 --distance 50",
     "servo run": "servo run b.mnt",
     "servo step": "servo step",
@@ -40,6 +42,8 @@ COMMANDS = {
     "sweep": "sweep b.mnt --vary SPEED[0]@1=100,120",
     "verify": "verify b.mnt",
 }
+EXTRAS = {"copley": {"copley stream": "copley stream --scurve 1000 --time 100"}}
+COMMANDS |= {name: line for each in INSTALLED for name, line in EXTRAS.get(each.name, {}).items()}
 
 
 @pytest.fixture

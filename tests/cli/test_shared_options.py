@@ -29,7 +29,6 @@ LINES: dict[str, str] = {
     "pvt plot": "--scurve 1000 --time 100",
     "pvt refine": "--positions=0,200,900,500 --time 20",
     "pvt export": "--scurve 1000 --time 100",
-    "pvt stream": "--scurve 1000 --time 100",
     "servo compare": "--speed 100 --accel 1000 --distance 50",
     "servo step": "",
     "servo tune": "",
@@ -37,6 +36,7 @@ LINES: dict[str, str] = {
     "serve": "a.mnt --tcp 127.0.0.1:0",
 }
 EXTRAS = {
+    "copley": {"copley serve": "virtual:x", "copley stream": "--scurve 1000 --time 100"},
     "mcapi": {"mcapi run": "a.mnt", "mcapi serve": "--port 0", "mcapi replay": "a.log"},
 }
 LINES |= {command: line for each in INSTALLED for command, line in EXTRAS[each.name].items()}

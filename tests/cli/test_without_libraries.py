@@ -13,7 +13,7 @@ import pytest
 from tests.built import ROOT
 
 # Those that no run needs. Lark parses.
-LIBRARIES = ("can", "canopen", "numpy", "prompt_toolkit", "rich")
+LIBRARIES = ("numpy", "prompt_toolkit", "rich")
 MINT, MCCL = "scripts/mint/pick-and-place.mnt", "scripts/mccl/back-and-forth.mcl"
 # Runs the commands of standard input, and prints status and output of each.
 COMMANDS = """

@@ -97,9 +97,9 @@ def test_a_description_as_a_hint(description: str, hint: str) -> None:
 
 
 def test_a_missing_library_is_named_with_its_extra() -> None:
-    several = MissingExtra("--can", ["can", "canopen"])
+    several = MissingExtra("--plot", ["matplotlib", "pyarrow"])
     assert (several.message, several.hint, several.is_required) == (
-        "--can needs python-can and canopen", 'python -m pip install "motionlang[can]"', False,
+        "--plot needs matplotlib and pyarrow", 'python -m pip install "motionlang[plot]"', False,
     )  # fmt: skip
     assert str(several) == f"{several.message}: {several.hint}"
     required = missing(ImportError("no numpy", name="numpy"), "motionlang servo")

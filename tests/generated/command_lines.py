@@ -130,12 +130,6 @@ def _export(draw: Draw) -> list[str]:
     return ["pvt", "export", *_points(draw), "--format", form, *relative, *node]
 
 
-def _stream(draw: Draw) -> list[str]:
-    transfer = ["--transfer", draw.choice(("pdo", "sdo"))]
-    interval = ["--poll-interval", str(draw.randrange(1, 20))] if draw.chance(0.5) else []
-    return ["pvt", "stream", *_points(draw), *transfer, *interval, *_json(draw)]
-
-
 def motor(draw: Draw) -> list[str]:
     """Return options for some properties of a simulated motor."""
     soft = {"resonance": (40.0, 200.0), "backlash": (0.0, 4.0)}
@@ -170,6 +164,6 @@ def _explain(draw: Draw) -> list[str]:
 
 
 _KINDS = (
-    _plan, _pvt, _plan, _refine, _plan, _export, _refine, _stream, _plan, _step, _step, _export, _keyword, _tune, _plan,
+    _plan, _pvt, _plan, _refine, _plan, _export, _refine, _export, _plan, _step, _step, _export, _keyword, _tune, _plan,
     _compare, _step, _keyword, _plan, _explain, _pvt, _step, _keyword,
 )  # fmt: skip

@@ -11,13 +11,17 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli import commands
+from motionlang.cli.commands import EXTRAS
 from tests.cases import cases
 from tests.cli.notes import NAMES, answer
 from tests.cli.programs import parser_of
+from tests.extras import INSTALLED
 from tools.sources_page import ROOT, Entry, entries
 
 ENTRIES = [each for each in entries() if each.kind != "context"]
-COMMANDS = [each for each in ENTRIES if not each.command.startswith(("calc ", "page "))]
+# Commands of a package that is not installed are not run.
+ABSENT = [f"motionlang {name}" for name in EXTRAS if name not in {each.name for each in INSTALLED}]
+COMMANDS = [each for each in ENTRIES if not each.command.startswith(("calc ", "page ", *ABSENT))]
 
 
 @cache

@@ -6,7 +6,7 @@ import signal
 import sys
 from dataclasses import dataclass
 from types import FrameType
-from typing import TYPE_CHECKING, ClassVar, TextIO
+from typing import ClassVar, Protocol, TextIO
 
 from motionlang.cli.command import Command, WrongOption, flag, option
 from motionlang.cli.complaints import complain
@@ -17,10 +17,15 @@ from motionlang.hosts.serve import Server
 from motionlang.hosts.serve.server import MakeHost
 from motionlang.kernel import Diagnostic
 
-if TYPE_CHECKING:  # which needs python-can
-    from motionlang.hosts.can import DriveServer
-
 Address = tuple[str, int]
+
+
+class Stoppable(Protocol):
+    """A server that runs until it is stopped."""
+
+    def run(self) -> None: ...
+
+    def stop(self) -> None: ...
 
 
 @dataclass
@@ -134,7 +139,7 @@ def listen(
     return f"listening on {shown(found, port)}{what}\n"
 
 
-def until_signal(server: Server | DriveServer) -> None:
+def until_signal(server: Stoppable) -> None:
     """Serve until Ctrl-C or SIGTERM; both are a normal end."""
 
     def stop(number: int, frame: FrameType | None) -> None:

@@ -10,27 +10,24 @@ from typing import ClassVar
 
 from motionlang.cli.command import WrongOption, argument
 from motionlang.hosts.commands.board import ServedBoard
-from motionlang.hosts.commands.can import ServedDrives
 from motionlang.hosts.commands.line import ServedLine
 from motionlang.hosts.commands.output_queue import never_waiting
 from motionlang.kernel import STDIN
 
 
 @dataclass
-class Serve(ServedBoard, ServedLine, ServedDrives):
+class Serve(ServedBoard, ServedLine):
     """Let hosts talk to a virtual controller, or to a Mint program over Modbus."""
 
     epilog: ClassVar[str] = """\
 The board is a PMC controller with ASCII MCCL, which gets FILE first. A Mint
 program has the serial line of its controller, without FILE after --lang mint.
---set axis.1.travel=[-9000,9000] places the switches of drive 1, in counts.
 Element n of a Mint program's memory is registers 2n (low half) and 2n + 1.
 
 examples:
   motionlang serve --tcp 127.0.0.1:5010             then: nc 127.0.0.1 5010
   motionlang serve macros.mcl --tcp 5010 --pty --log
   motionlang serve packer.mnt --modbus 127.0.0.1:5020 --unit 1
-  motionlang serve --can socketcan:vcan0 --drives 2 --eds drive.eds
   motionlang serve --tcp 0 --clock lockstep --set controller.model=dcx-pci300
 """
     file: str = argument(
@@ -39,28 +36,11 @@ examples:
 
     def check(self) -> None:
         """Raise WrongOption if what is served does not fit the addresses."""
-        if not (self.tcp or self.pty or self.modbus or self.can):
-            raise WrongOption(
-                "no address for hosts: give --tcp or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL"
-            )
+        if not (self.tcp or self.pty or self.modbus):
+            raise WrongOption("no address for hosts: give --tcp or --modbus with HOST:PORT, or --pty")
         super().check()
-        if self.can is not None:
-            self._check_can()
         if self.modbus is not None:
             self._check_modbus()
-
-    def _check_can(self) -> None:
-        if self.file or self.tcp or self.pty or self.modbus:
-            raise WrongOption(
-                "--can serves drives, which run no program: leave out FILE, --tcp, --pty and --modbus"
-            )
-        if self.clock != "real":
-            raise WrongOption("--can needs --clock real: masters have their own time")
-        if self.echo is not None or self.log:
-            raise WrongOption("--echo and --log have no effect with --can")
-        names = self.overrides()
-        if names:
-            raise WrongOption(f"--set {next(iter(names))}: the drives of --can run no program with names")
 
     def _check_modbus(self) -> None:
         lines = self.tcp or self.pty
@@ -83,8 +63,6 @@ examples:
             self.known_language()
         source = self.source() if self.file else None
         with never_waiting() as queues:
-            if self.can is not None:
-                return self.serve_drives(queues)
             if self._speaks_mint and (self.tcp or self.pty):
                 return self.serve_line(source, queues)
             if self.modbus is not None:

@@ -19,7 +19,6 @@ from motionlang.lab.pvt.drive.point import from_wire, to_wire
 from motionlang.lab.pvt.export import Unwritable, export
 from motionlang.lab.pvt.input import Points, PointSource, Sent, spans_of
 from motionlang.lab.pvt.points import Point, absolute, plan_points, until_end
-from motionlang.lab.pvt.stream import PvtStream
 from motionlang.lab.pvt.table import write_points
 from motionlang.lab.pvt.view import WIDTH, methods_table, motion_document, segment_lines
 from motionlang.views.table import Document
@@ -126,7 +125,6 @@ class Pvt(Command):
             PvtExport,
             "write a move, or the motion of a program, as CSV, serial words or CAN frames",
         ),
-        "stream": (PvtStream, "send a move to a simulated drive over CANopen and compare the motion"),
     }
 
 

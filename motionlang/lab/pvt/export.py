@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from motionlang.lab.pvt.drive import packet, serial
-from motionlang.lab.pvt.drive.buffer import SIZE
-from motionlang.lab.pvt.drive.objects import BY_ADDRESS, INTERPOLATED_POSITION
+from motionlang.lab.pvt.drive.packet import SIZE
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire
 from motionlang.lab.pvt.table import write_points
 
@@ -23,6 +22,16 @@ FORMATS: dict[str, str] = {
     "pdo": "CAN frames: one PDO per point (object 0x2010)",
     "sdo": "CAN frames: object 0x2010 by SDO",
     "record": "CAN frames: object 0x60C1 by SDO, sub-mode -3",
+}
+# The mode of operation that takes points, and the types of the objects that are written.
+INTERPOLATED_POSITION = 7
+KINDS = {
+    (0x6040, 0): "u16",
+    (0x6060, 0): "i8",
+    (0x60C0, 0): "i16",
+    (0x60C1, 1): "i32",
+    (0x60C1, 2): "u8",
+    (0x60C1, 3): "i32",
 }
 LATER = "# from here on: whenever object 0x2012 shows free places"
 
@@ -184,6 +193,6 @@ def _map_pdo(node: int, communication: int, can_id: int, mapped: int) -> list[st
 
 
 def _write(node: int, index: int, sub: int, value: int) -> list[str]:
-    kind = BY_ADDRESS[index, sub].kind
+    kind = KINDS[index, sub]
     data = value.to_bytes(int(kind[1:]) // 8, "little", signed=kind[0] == "i")
     return sdo_download(node, index, sub, data)

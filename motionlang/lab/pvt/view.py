@@ -118,12 +118,6 @@ def methods_table(
     return Table("methods", columns, methods)
 
 
-def pairs_lines(pairs: Sequence[tuple[str, str]]) -> list[str]:
-    """Return aligned names and values."""
-    width = max(len(name) for name, _ in pairs)
-    return [f"{name:<{width}}  {value}" for name, value in pairs]
-
-
 def figure(value: float, most: int = 4) -> str:
     """Format a number with as many decimals as it needs, at most `most`."""
     return f"{value:.{decimals_of([value], most)}f}"

@@ -156,7 +156,7 @@ def test_a_port_that_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
     [
         (
             [],
-            "no address for hosts: give --tcp or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL",
+            "no address for hosts: give --tcp or --modbus with HOST:PORT, or --pty",
         ),
         (["--tcp", "nowhere"], "argument --tcp: 'nowhere' is not HOST:PORT with a port from 0"),
         (["--tcp", "127.0.0.1:70000"], "is not HOST:PORT with a port from 0 (any that is free) to 65535"),

@@ -94,11 +94,9 @@ def test_the_output_of_a_server_without_hosts(
 
 # Wrong command lines, and the end of the message.
 WRONG = (
-    ("", "no address for hosts: give --tcp or --modbus with HOST:PORT, --pty, or --can INTERFACE:CHANNEL"),
+    ("", "no address for hosts: give --tcp or --modbus with HOST:PORT, or --pty"),
     ("--tcp 0 --factor 2 --clock lockstep", "--factor needs --clock real"),
     ("--tcp 0 --step 2", "--step needs --clock lockstep"),
-    ("--tcp 0 --drives 2", "--drives and --eds need --can INTERFACE:CHANNEL"),
-    ("--tcp 0 --eds x.eds", "--drives and --eds need --can INTERFACE:CHANNEL"),
     ("--tcp 0 --unit 1", "--unit needs --modbus HOST:PORT"),
     ("plain.mnt --modbus 0 --log", "--echo and --log need --tcp or --pty"),
     ("plain.mnt --modbus 0 --echo", "--echo and --log need --tcp or --pty"),
@@ -109,17 +107,6 @@ WRONG = (
      "--modbus serves a Mint program; for a file with another extension add --lang mint"),
     ("plain.mnt --lang mccl --modbus 0",
      "--modbus serves a Mint program; for a file with another extension add --lang mint"),
-    *((f"--can virtual:x {more}",
-       "--can serves drives, which run no program: leave out FILE, --tcp, --pty and --modbus")
-      for more in ("plain.mnt", "--tcp 0", "--pty", "--modbus 0")),
-    ("--can virtual:x --clock lockstep", "--can needs --clock real: masters have their own time"),
-    ("--can virtual:x --echo", "--echo and --log have no effect with --can"),
-    ("--can virtual:x --log", "--echo and --log have no effect with --can"),
-    ("--can virtual:x --set rate=3", "--set rate: the drives of --can run no program with names"),
-    *((f"--can {bus}", f"argument --can: '{bus}' is not INTERFACE:CHANNEL, such as socketcan:vcan0")
-      for bus in ("virtual", "virtual:", ":x")),
-    *((f"--tcp 0 --drives {count}", f"argument --drives: '{count}' is not a number of drives from 1 to 127")
-      for count in ("0", "128", "x")),
     *((f"--tcp 0 --unit {unit}", f"argument --unit: '{unit}' is not a Modbus unit from 1 to 247")
       for unit in ("0", "248", "x")),
     *((f"--tcp 0 --max-hosts {count}",
@@ -137,7 +124,7 @@ BOUNDS = ("--unit 1", "--unit 247", "--max-hosts 1", "--max-hosts 1000", "--fact
 
 @cases(
     "line, message",
-    (*WRONG, *((f"--tcp 0 {each} --drives 1", WRONG[3][1]) for each in BOUNDS)),
+    (*WRONG, *((f"--tcp 0 {each} --unit 1", WRONG[3][1]) for each in BOUNDS)),
 )
 def test_a_wrong_command_line(
     line: str, message: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

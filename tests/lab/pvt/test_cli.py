@@ -99,10 +99,6 @@ def test_many_bad_points_are_counted(folder: Path) -> None:
         (["plot", "--positions", "0,x", "--time", "1"], "not numbers with commas between them"),
         (["plot", "--scurve", "nan", "--time", "1"], "'nan' is not a number"),
         (["export", "--scurve", "5", "--time", "1", "--node", "128"], "'128' is not a node from 1 to 127"),
-        (
-            ["stream", "--scurve", "5", "--time", "1", "--poll-interval", "0"],
-            "'0' is not a number greater than zero",
-        ),
         (["export", "--scurve", "5", "--time", "1", "--format", "xml"], "'xml' is not one of"),
         ([], "required"),
     ],
@@ -133,18 +129,6 @@ def test_a_wrong_command_line_is_status_2(words: list[str], message: str) -> Non
         (["plot", "--scurve", "1e300", "--jerk", "1"], "distance must lie between"),
         (["plot", "--scurve", "1", "--jerk", "1e300", "--accel", "1e-9"], "jerk must lie between"),
         (["plot", "--scurve", "1", "--time", "1e-200"], "segment time must lie between"),
-        (
-            ["stream", "--scurve", "1000", "--jerk", "500000", "--speed", "3000", "--transfer", "-1"],
-            "the stream failed: sub-modes 0 and -1 need one time for all segments",
-        ),
-        (
-            ["stream", "--positions", "0,20000000,0", "--time", "5"],
-            "the stream failed: point 1: neither its position nor its distance fits the 24 bits",
-        ),
-        (
-            ["stream", "--scurve", "10000", "--jerk", "500000", "--speed", "300", "--poll-interval", "30000"],
-            "the stream failed: the drive reports: underflow",
-        ),
     ],
 )
 def test_what_cannot_be_done_is_status_1(words: list[str], message: str) -> None:
@@ -207,9 +191,6 @@ def test_reports_as_json() -> None:
         "2 sweeps",
         "exact",
     ]
-    streamed = json.loads(pvt("stream", "--scurve", "1000", "--time", "100", "--format", "json").out)
-    assert (streamed["sent"], streamed["position"]) == (5, 1000.0)
-    assert streamed["error"] < 1e-9
 
 
 POINTS = ["--positions", "0,5000,15000,20000", "--time", "10"]
@@ -235,9 +216,8 @@ def test_the_same_points_give_the_same_picture(name: str, tmp_path: Path) -> Non
 
 
 @pytest.mark.usefixtures("unrendered")
-@pytest.mark.parametrize("command", ["export", "stream"])
-def test_other_commands_draw(command: str, tmp_path: Path) -> None:
-    assert pvt(command, *POINTS, "--plot", str(tmp_path / "move.png")).status == 0
+def test_export_draws(tmp_path: Path) -> None:
+    assert pvt("export", *POINTS, "--plot", str(tmp_path / "move.png")).status == 0
     assert (tmp_path / "move.png").exists()
 
 
@@ -283,13 +263,6 @@ def test_the_tolerance_counts() -> None:
     assert lines[0] > lines[1] > lines[2]
 
 
-def test_a_program_is_streamed() -> None:
-    file = str(SCRIPTS / "mint" / "shuttle.mnt")
-    report = json.loads(pvt("stream", file, "--tolerance", "2", "--format", "json").out)
-    assert report["error"] < 1e-6
-    assert report["log"][-1]["event"] == "move ended at 0"
-
-
 @pytest.mark.parametrize(
     ("program", "words", "status", "message"),
     [
@@ -325,21 +298,6 @@ def test_points_come_from_standard_input(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(b"0\n10\n30\n")))
     answer = pvt("export", "-", "--time", "10", "--velocities", "zero")
     assert answer.out.splitlines()[1:] == ["position,velocity,time", "0,0,10", "10,0,10", "30,0,0"]
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["--interface", "nope"], "error[file]: the CAN bus 'nope motionlang-"),
-        (["--interface", "nope", "--real"], "error[file]: the CAN bus 'nope' cannot be opened"),
-        (["--real", "--channel", "nobody"], "error[never]: the stream failed: node 1 does not answer\n"),
-    ],
-)
-def test_a_bus_that_is_not_there(words: list[str], message: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("canopen.sdo.SdoClient.RESPONSE_TIMEOUT", 0.001)
-    answer = pvt("stream", "--scurve", "10", "--time", "5", *words)
-    assert answer.status == 1
-    assert answer.err.startswith(message)
 
 
 def test_a_file_that_is_no_text_is_named(folder: Path) -> None:

@@ -1,11 +1,9 @@
-"""Exported frames, sent to a drive."""
+"""Exported words and frames."""
 
 from __future__ import annotations
 
 import pytest
 
-from motionlang.lab.pvt.drive.bus import LockstepBus
-from motionlang.lab.pvt.drive.drive import Drive
 from motionlang.lab.pvt.drive.point import WirePoint, to_wire
 from motionlang.lab.pvt.export import FORMATS, LATER, Unwritable, export, sdo_download
 from motionlang.lab.pvt.scurve import scurve
@@ -16,21 +14,6 @@ SCURVE = to_wire(scurve(1000.0, 0.1))
 @pytest.mark.parametrize("form", list(FORMATS))
 def test_what_is_written_reads_back_as_the_same_points(form: str) -> None:
     assert export(SCURVE, form).read_back == SCURVE
-
-
-@pytest.mark.parametrize("form", ["pdo", "sdo", "record"])
-@pytest.mark.parametrize("node", [1, 42])
-def test_the_frames_move_a_drive(form: str, node: int) -> None:
-    """Every exported frame is sent on the bus, and the drive executes the S-curve."""
-    drive = Drive()
-    with LockstepBus(drive, node) as bus:
-        for line in export(SCURVE, form, node).lines:
-            if not line.startswith("#"):
-                can_id, data = line.split("#")
-                bus.network.send_message(int(can_id, 16), bytes.fromhex(data))
-    drive.run_until(500_000)
-    assert drive.log == [(0.0, "move started at 0"), (0.4, "move ended at 1000")]
-    assert [p.end for p in drive.profiles if p.shape == "pvt"] == [83, 500, 917, 1000]
 
 
 def test_serial_words() -> None:

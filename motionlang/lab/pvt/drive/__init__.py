@@ -1,4 +1,1 @@
-"""Copley PVT drives: wire format, the drive's buffer and motion, the CAN bus.
-
-The motion is the one that the drive's trajectory generator makes.
-"""
+"""What a Copley drive takes: points, serial words, packets of CAN frames."""

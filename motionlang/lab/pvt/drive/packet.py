@@ -35,6 +35,8 @@ ERRORS: dict[int, str] = {SEQUENCE: "sequence error", OVERFLOW: "overflow", UNDE
 # Tenths of a count per second in the coarse velocity unit of 10 counts/s.
 COARSE = 100
 INT24 = range(-(2**23), 2**23)
+# Capacity of the drive's buffer in points; the note promises no more.
+SIZE = 32
 
 
 class BadPacket(ValueError):

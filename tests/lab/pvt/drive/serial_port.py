@@ -7,11 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from motionlang.lab.pvt.drive import serial
-from motionlang.lab.pvt.drive.drive import Drive
 from motionlang.lab.pvt.drive.point import WirePoint
 from motionlang.lab.pvt.drive.serial import BadWord
+
+if TYPE_CHECKING:
+    from motionlang_copley.drive import Drive
 
 COMMAND_BIT = 1 << 15
 TIME_BITS = 0x00FF

@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from motionlang.kernel.planners import hold
-from motionlang.lab.pvt.drive.buffer import SIZE, BufferedPoint
-from motionlang.lab.pvt.drive.drive import IDLE, MOVING, STOPPING, WAITING, Drive
-from motionlang.lab.pvt.drive.packet import OVERFLOW, UNDERFLOW
+from motionlang.lab.pvt.drive.packet import OVERFLOW, SIZE, UNDERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire
 from motionlang.lab.pvt.points import plan_points
+from motionlang_copley.buffer import BufferedPoint
+from motionlang_copley.drive import IDLE, MOVING, STOPPING, WAITING, Drive
 
 SCURVE = [
     WirePoint(0, 0, 100),

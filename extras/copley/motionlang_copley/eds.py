@@ -13,10 +13,10 @@ from canopen.objectdictionary import ODVariable
 from canopen.objectdictionary.eds import export_eds
 
 from motionlang.kernel.version import __version__
-from motionlang.lab.pvt.drive.drive import Drive
-from motionlang.lab.pvt.drive.node import EMCY_ID, HARDWARE, NAME, object_dictionary
-from motionlang.lab.pvt.drive.objects import ObjectServer
-from motionlang.lab.pvt.drive.pdo import ID_STEP, PDO_INVALID, PDOS, RECEIVE_ID, SEND_ID
+from motionlang_copley.drive import Drive
+from motionlang_copley.node import EMCY_ID, HARDWARE, NAME, object_dictionary
+from motionlang_copley.objects import ObjectServer
+from motionlang_copley.pdo import ID_STEP, PDO_INVALID, PDOS, RECEIVE_ID, SEND_ID
 
 _DATE, _TIME = "01-01-2026", "12:00AM"
 

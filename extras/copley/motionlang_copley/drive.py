@@ -10,9 +10,9 @@ from collections.abc import Callable
 from math import ceil, inf
 
 from motionlang.kernel.planners import Profile, from_curve, hold, plan_stop, pvt_piece
-from motionlang.lab.pvt.drive.buffer import Buffer, BufferedPoint, entry_of
 from motionlang.lab.pvt.drive.packet import UNDERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint
+from motionlang_copley.buffer import Buffer, BufferedPoint, entry_of
 
 IDLE, WAITING, MOVING, STOPPING = "idle", "waiting", "moving", "stopping"
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 
 from motionlang.lab.pvt.drive import packet
-from motionlang.lab.pvt.drive.drive import MOVING, Drive
-from motionlang.lab.pvt.drive.objects import BY_ADDRESS, OBJECTS, Abort, ObjectServer
 from motionlang.lab.pvt.drive.packet import Packet, PacketCommand
 from motionlang.lab.pvt.drive.point import WirePoint
+from motionlang_copley.drive import MOVING, Drive
+from motionlang_copley.objects import BY_ADDRESS, OBJECTS, Abort, ObjectServer
 
 VALUE_RANGE, DEVICE_STATE, READ_ONLY, WRITE_ONLY = 0x06090030, 0x08000022, 0x06010002, 0x06010001
 

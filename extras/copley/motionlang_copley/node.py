@@ -16,9 +16,9 @@ from canopen.objectdictionary import ObjectDictionary, ODRecord, ODVariable, dat
 
 from motionlang.kernel import INFINITY
 from motionlang.kernel.version import __version__
-from motionlang.lab.pvt.drive.drive import Drive
-from motionlang.lab.pvt.drive.objects import BY_ADDRESS, OBJECTS, Abort, Object, ObjectServer
-from motionlang.lab.pvt.drive.pdo import (
+from motionlang_copley.drive import Drive
+from motionlang_copley.objects import BY_ADDRESS, OBJECTS, Abort, Object, ObjectServer
+from motionlang_copley.pdo import (
     EVENT_DRIVEN,
     ID_STEP,
     MAX_BITS,
@@ -35,7 +35,7 @@ from motionlang.lab.pvt.drive.pdo import (
     entry,
     sent_pdo,
 )
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.switches import Switches
 
 KINDS: dict[str, int] = {
     "i8": datatypes.INTEGER8,

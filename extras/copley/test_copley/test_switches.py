@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.hosts.commands.can import _switches
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.serve import _switches
+from motionlang_copley.switches import Switches
 
 
 def test_the_switches_are_those_of_the_machine_file() -> None:

@@ -1,4 +1,4 @@
-"""`motionlang serve --can` as a process: EDS file, exit, error messages."""
+"""`motionlang copley serve` as a process: EDS file, exit, error messages."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def test_drives_are_served_until_a_signal(tmp_path: Path) -> None:
         sys.executable,
         "-m",
         "motionlang",
+        "copley",
         "serve",
-        "--can",
         "virtual:served",
         "--drives",
         "2",
@@ -47,27 +47,31 @@ def test_drives_are_served_until_a_signal(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--can", "vcan0"], "'vcan0' is not INTERFACE:CHANNEL, such as socketcan:vcan0"),
-        (["--can", "virtual:x", "--drives", "128"], "'128' is not a number of drives from 1 to 127"),
-        (["--tcp", "0", "--drives", "2"], "--drives and --eds need --can INTERFACE:CHANNEL"),
-        (["--can", "virtual:x", "--tcp", "0"], "--can serves drives, which run no program"),
-        (["a.mnt", "--can", "virtual:x"], "--can serves drives, which run no program"),
-        (["--can", "virtual:x", "--clock", "lockstep"], "--can needs --clock real"),
-        (["--can", "virtual:x", "--set", "width=3"], "--set width: the drives of --can run no program"),
-        (["--can", "virtual:x", "--log"], "--echo and --log have no effect with --can"),
+        ([], "the following arguments are required: INTERFACE:CHANNEL"),
+        *(
+            ([bus], f"'{bus}' is not INTERFACE:CHANNEL, such as socketcan:vcan0")
+            for bus in ("vcan0", "virtual:", ":x")
+        ),
+        *(
+            (["virtual:x", "--drives", count], f"'{count}' is not a number of drives from 1 to 127")
+            for count in ("0", "128", "x")
+        ),
+        (["virtual:x", "--factor", "0"], "'0' is not a factor from 0.000001 to 1000000"),
+        (["virtual:x", "--tcp", "0"], "unrecognized arguments: --tcp 0"),
+        (["virtual:x", "--set", "width=3"], "--set width: the drives run no program with names"),
     ],
 )
 def test_what_does_not_go_together(
     words: list[str], message: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit) as ended:
-        main(["serve", *words])
+        main(["copley", "serve", *words])
     assert ended.value.code == 2
     assert message in capsys.readouterr().err
 
 
 def test_a_bus_and_a_file_that_cannot_be_opened(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["serve", "--can", "nothing:x"]) == 1
+    assert main(["copley", "serve", "nothing:x"]) == 1
     assert "error[address]: the CAN bus 'nothing x' cannot be opened" in capsys.readouterr().err
-    assert main(["serve", "--can", "virtual:x", "--eds", str(tmp_path / "no" / "drive.eds")]) == 1
+    assert main(["copley", "serve", "virtual:x", "--eds", str(tmp_path / "no" / "drive.eds")]) == 1
     assert "drive.eds cannot be written: no such file or directory" in capsys.readouterr().err

@@ -5,29 +5,37 @@ The bus is virtual.
 
 from __future__ import annotations
 
+import contextlib
+import io
+import json
 import math
 import random
 import threading
+from pathlib import Path
 from types import SimpleNamespace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import can
 import canopen
 import pytest
 
+from motionlang.cli import main
 from motionlang.kernel.planners.pvt.velocities import smooth_velocities
 from motionlang.lab.pvt.drive import packet
-from motionlang.lab.pvt.drive.bus import NEWS_TIMEOUT, LockstepBus, RealBus
-from motionlang.lab.pvt.drive.drive import IDLE, Drive
-from motionlang.lab.pvt.drive.master import BusMaster, StreamError
-from motionlang.lab.pvt.drive.node import DriveNode
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
 from motionlang.lab.pvt.fit import track_error
 from motionlang.lab.pvt.points import Point, plan_points, points_from
+from motionlang_copley.bus import NEWS_TIMEOUT, LockstepBus, RealBus
+from motionlang_copley.drive import IDLE, Drive
+from motionlang_copley.master import BusMaster, StreamError
+from motionlang_copley.node import DriveNode
 from tests.counted_calls import count_calls
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+
+
+SCRIPTS = Path(__file__).parents[3] / "scripts"
 
 
 def winding(count: int, milliseconds: int = 2) -> list[WirePoint]:
@@ -268,7 +276,7 @@ def test_a_kernel_gets_10_ms_to_return_a_frame(
         def shutdown(self) -> None:
             pass
 
-    monkeypatch.setattr("motionlang.lab.pvt.drive.bus.open_bus", lambda interface, channel: Kernel())
+    monkeypatch.setattr("motionlang_copley.bus.open_bus", lambda interface, channel: Kernel())
     with LockstepBus(Drive(), interface=interface) as bus:
         bus.deliver()
     assert waits == [patience] * 2
@@ -465,3 +473,74 @@ def test_a_status_is_read_as_long_as_the_drive_has_sent_none(monkeypatch: pytest
         master._received(master.node.tpdo[1])
         master._at_rest()
     assert reads.calls == 2
+
+
+def streamed(*words: str) -> Any:
+    """Return the JSON document of `motionlang copley stream`."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        assert main(["copley", "stream", *words, "--format", "json"]) == 0
+    return json.loads(out.getvalue())
+
+
+def test_a_move_is_streamed() -> None:
+    report = streamed("--scurve", "1000", "--time", "100")
+    assert (report["sent"], report["position"]) == (5, 1000.0)
+    assert report["error"] < 1e-9
+
+
+def test_a_program_is_streamed() -> None:
+    report = streamed(str(SCRIPTS / "mint" / "shuttle.mnt"), "--tolerance", "2")
+    assert report["error"] < 1e-6
+    assert report["log"][-1]["event"] == "move ended at 0"
+
+
+@pytest.mark.usefixtures("unrendered")
+def test_a_stream_is_drawn(tmp_path: Path) -> None:
+    streamed("--scurve", "1000", "--time", "100", "--plot", str(tmp_path / "move.png"))
+    assert (tmp_path / "move.png").exists()
+
+
+def test_a_poll_takes_time(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["copley", "stream", "--scurve", "5", "--time", "1", "--poll-interval", "0"])
+    assert end.value.code == 2
+    assert "'0' is not a number greater than zero" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        (
+            "--scurve 1000 --jerk 500000 --speed 3000 --transfer -1",
+            "sub-modes 0 and -1 need one time for all segments",
+        ),
+        (
+            "--positions 0,20000000,0 --time 5",
+            "point 1: neither its position nor its distance fits the 24 bits",
+        ),
+        (
+            "--scurve 10000 --jerk 500000 --speed 300 --poll-interval 30000",
+            "the drive reports: underflow",
+        ),
+    ],
+)
+def test_a_stream_that_fails(line: str, message: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["copley", "stream", *line.split()]) == 1
+    assert f"the stream failed: {message}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--interface", "nope"], "error[file]: the CAN bus 'nope motionlang-"),
+        (["--interface", "nope", "--real"], "error[file]: the CAN bus 'nope' cannot be opened"),
+        (["--real", "--channel", "nobody"], "error[never]: the stream failed: node 1 does not answer\n"),
+    ],
+)
+def test_a_bus_that_is_not_there(
+    words: list[str], message: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("canopen.sdo.SdoClient.RESPONSE_TIMEOUT", 0.001)
+    assert main(["copley", "stream", "--scurve", "10", "--time", "5", *words]) == 1
+    assert capsys.readouterr().err.startswith(message)

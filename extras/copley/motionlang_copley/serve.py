@@ -1,4 +1,4 @@
-"""`motionlang serve --can`: simulated drives on a CAN bus, and their EDS file."""
+"""`motionlang copley`: simulated drives on a CAN bus, their EDS file, and a master."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from motionlang.cli.command import Refused, WrongOption, option
+from motionlang.cli.command import Command, Refused, WrongOption, argument, option
 from motionlang.cli.complaints import unwritten
-from motionlang.cli.readers import whole
-from motionlang.hosts.commands.options import Served, say, until_signal, warn
-from motionlang.hosts.commands.output_queue import OutputQueue, dropped
+from motionlang.cli.option_groups import ProgramOptions
+from motionlang.cli.readers import real, whole
+from motionlang.hosts.commands.options import remark, say, until_signal
+from motionlang.hosts.commands.output_queue import OutputQueue, dropped, never_waiting
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import replacing
-from motionlang.kernel.tools import need
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.stream import CopleyStream
+from motionlang_copley.switches import Switches
 
 AXIS = "axis.{}."
 HINT = "choose an interface of python-can that this computer has; virtual works within one process"
@@ -29,62 +30,72 @@ def _bus(text: str) -> tuple[str, str]:
 
 
 @dataclass
-class ServedDrives(Served):
-    """Drives on a CAN bus."""
+class CopleyServe(ProgramOptions):
+    """Put simulated drives on a CAN bus."""
 
     title: ClassVar[str] = "CANopen drives"
-    can: tuple[str, str] | None = option(
-        "INTERFACE:CHANNEL",
-        "put simulated drives on a bus of python-can",
-        read=_bus,
-    )
+    epilog: ClassVar[str] = """\
+--set axis.1.travel=[-9000,9000] places the switches of drive 1, in counts.
+
+examples:
+  motionlang copley serve socketcan:vcan0 --drives 2 --eds drive.eds
+"""
+    bus: tuple[str, str] = argument("INTERFACE:CHANNEL", "the bus of python-can", read=_bus)
     drives: int | None = option(
         "N",
         "the number of drives, nodes 1 to N (1)",
         read=whole("a number of drives from 1 to 127", 1, 127),
     )
     eds: str | None = option("FILE", "write the EDS file of the drives", writes=True)
+    factor: float = option(
+        "X",
+        "run at X × real time (1)",
+        read=real("a factor from 0.000001 to 1000000", 1e-6, 1e6),
+        default=1.0,
+    )
 
     def check(self) -> None:
         super().check()
-        if self.can is None and (self.drives is not None or self.eds is not None):
-            raise WrongOption("--drives and --eds need --can INTERFACE:CHANNEL")
+        names = self.overrides()
+        if names:
+            raise WrongOption(f"--set {next(iter(names))}: the drives run no program with names")
 
-    def serve_drives(self, queues: list[OutputQueue]) -> int:
-        """Serve until a signal; Refused if the EDS file or the bus cannot be opened.
+    def run(self) -> int:
+        """Serve until a signal; Refused if the EDS file or the bus cannot be opened."""
+        with never_waiting() as queues:
+            return self._serve(queues)
 
-        Raises MissingExtra without the CAN libraries. `queues` are those of standard output and standard error.
-        """
-        need("motionlang serve --can", "can", "canopen")
-        from motionlang.hosts.can import DriveServer
-        from motionlang.lab.pvt.drive.bus import BusError
+    def _serve(self, queues: list[OutputQueue]) -> int:
+        from motionlang_copley.bus import BusError
+        from motionlang_copley.server import DriveServer
 
         logging.getLogger("canopen").setLevel(logging.CRITICAL)
         if self.eds is not None:
             _write_eds(self.eds)
-        assert self.can is not None
         count = self.drives or 1
         settings = self.settings()
         switches = [_switches(settings, number) for number in range(1, count + 1)]
         try:
-            server = DriveServer(
-                *self.can, count, factor=self.factor or 1.0, switches=switches, complain=warn
-            )
+            server = DriveServer(*self.bus, count, factor=self.factor, switches=switches, complain=_warn)
         except BusError as problem:
             raise Refused([Diagnostic("address", str(problem), hint=HINT)]) from None
         with server:
             nodes = "node 1" if count == 1 else f"nodes 1 to {count}"
-            say(f"CANopen drives, {nodes}, on {' '.join(self.can)}; Ctrl-C ends it\n")
+            say(f"CANopen drives, {nodes}, on {' '.join(self.bus)}; Ctrl-C ends it\n")
             say("units: positions in counts, speeds in 0.1 counts/s, rates in 10 counts/s²\n")
-            if self.can[0] == "udp_multicast":
+            if self.bus[0] == "udp_multicast":
                 say("a master gets its own frames back: give it the can_filters of docs/hosts-can.md\n")
             until_signal(server)
             say(f"received {server.frames} frames; machine time {server.now:.3f} s{dropped(queues)}\n")
         return 0
 
 
+def _warn(text: str) -> None:
+    remark(f"motionlang copley serve: {text}\n")
+
+
 def _write_eds(path: str) -> None:
-    from motionlang.lab.pvt.drive.eds import eds
+    from motionlang_copley.eds import eds
 
     try:
         with replacing(path) as file:
@@ -102,3 +113,12 @@ def _switches(settings: Mapping[str, object], number: int) -> Switches:
     home, _ = settings.get(f"{of_axis}home_switch", (usual.home, 0.0))  # type: ignore[misc]
     index = settings.get(f"{of_axis}index_every", usual.index)
     return Switches(*(float(each) for each in (negative, positive, home, index)))  # type: ignore[arg-type,has-type]
+
+
+class CopleyCommand(Command):
+    """Simulate Copley drives on a CAN bus, and stream moves to them."""
+
+    commands: ClassVar = {
+        "serve": (CopleyServe, "put simulated drives on a CAN bus"),
+        "stream": (CopleyStream, "send a move to a simulated drive over CANopen and compare the motion"),
+    }

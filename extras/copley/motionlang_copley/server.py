@@ -19,10 +19,10 @@ import canopen
 from can.typechecking import CanFilter
 
 from motionlang.hosts.serve.wall import WallClock
-from motionlang.lab.pvt.drive.bus import BusError, open_bus
-from motionlang.lab.pvt.drive.drive import Drive
-from motionlang.lab.pvt.drive.node import DriveNode
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.bus import BusError, open_bus
+from motionlang_copley.drive import Drive
+from motionlang_copley.node import DriveNode
+from motionlang_copley.switches import Switches
 
 # Seconds of real time between two updates of a drive, and between two checks of an idle one for the end of the server.
 CYCLE, PATIENCE = 0.001, 0.1

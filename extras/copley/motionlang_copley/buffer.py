@@ -5,11 +5,8 @@ from __future__ import annotations
 from collections import deque
 from dataclasses import dataclass
 
-from motionlang.lab.pvt.drive.packet import OVERFLOW, BufferStatus
+from motionlang.lab.pvt.drive.packet import OVERFLOW, SIZE, BufferStatus
 from motionlang.lab.pvt.drive.point import WirePoint
-
-# Capacity of the buffer in points; the note promises no more.
-SIZE = 32
 
 
 @dataclass(frozen=True, slots=True)

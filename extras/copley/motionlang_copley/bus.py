@@ -14,8 +14,8 @@ from typing import Self
 import can
 import canopen
 
-from motionlang.lab.pvt.drive.drive import Drive
-from motionlang.lab.pvt.drive.node import DriveNode
+from motionlang_copley.drive import Drive
+from motionlang_copley.node import DriveNode
 
 VIRTUAL = "virtual"
 # Seconds that a master waits for a message of a real drive before it polls again.

@@ -7,9 +7,9 @@ from math import inf
 import pytest
 
 from motionlang.kernel.planners import plan_trapezoid
-from motionlang.lab.pvt.drive.drive import Drive
-from motionlang.lab.pvt.drive.node import DriveNode
-from motionlang.lab.pvt.drive.pdo import SentPdo, sent_pdo
+from motionlang_copley.drive import Drive
+from motionlang_copley.node import DriveNode
+from motionlang_copley.pdo import SentPdo, sent_pdo
 
 
 def test_times_are_in_the_units_of_cia_301() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.lab.pvt.drive.bus import Master, SdoAbort
+from test_copley.bus import Master, SdoAbort
 
 VALUE_RANGE, DEVICE_STATE = 0x06090030, 0x08000022
 IDLE, WAITING, MOVING = "idle", "waiting", "moving"

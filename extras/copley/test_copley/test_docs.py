@@ -1,10 +1,10 @@
-"""The tables of `docs/copley.md` match the code; `tests/test_docs.py` runs the blocks."""
+"""The tables of docs/copley.md match the code."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.lab.pvt.drive.objects import OBJECTS, SUB_MODES
+from motionlang_copley.objects import OBJECTS, SUB_MODES
 
 PAGE = Path(__file__).parents[3] / "docs" / "copley.md"
 

@@ -7,7 +7,7 @@ from configparser import RawConfigParser
 import pytest
 
 from motionlang import __version__
-from motionlang.lab.pvt.drive.eds import eds
+from motionlang_copley.eds import eds
 
 
 @pytest.fixture

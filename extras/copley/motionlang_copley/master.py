@@ -15,10 +15,10 @@ import can
 import canopen
 
 from motionlang.lab.pvt.drive import packet
-from motionlang.lab.pvt.drive.buffer import SIZE
-from motionlang.lab.pvt.drive.node import object_dictionary
-from motionlang.lab.pvt.drive.objects import FIXED_TIME, INTERPOLATED_POSITION, SUB_MODES
+from motionlang.lab.pvt.drive.packet import SIZE
 from motionlang.lab.pvt.drive.point import WirePoint
+from motionlang_copley.node import object_dictionary
+from motionlang_copley.objects import FIXED_TIME, INTERPOLATED_POSITION, SUB_MODES
 
 _Send = Callable[[bytes], None]
 

@@ -25,8 +25,8 @@ from math import copysign, inf
 
 from motionlang.kernel.planners import Profile, plan_stop, plan_trapezoid, plan_velocity
 from motionlang.kernel.tools import bisected
-from motionlang.lab.pvt.drive.drive import IDLE, Drive
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.drive import IDLE, Drive
+from motionlang_copley.switches import Switches
 
 PROFILE_POSITION, PROFILE_VELOCITY, HOMING = 1, 3, 6
 SPEED_UNIT, RATE_UNIT = 0.1, 10.0

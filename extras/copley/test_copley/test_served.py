@@ -22,12 +22,12 @@ import canopen
 import pytest
 from canopen.objectdictionary import ODVariable
 
-from motionlang.hosts.can import DriveServer
 from motionlang.kernel.planners import hold
-from motionlang.lab.pvt.drive.bus import BusError
-from motionlang.lab.pvt.drive.eds import eds
-from motionlang.lab.pvt.drive.switches import Switches
-from tests.lab.pvt.drive.bus import CHANNELS, Bus, dictionary
+from motionlang_copley.bus import BusError
+from motionlang_copley.eds import eds
+from motionlang_copley.server import DriveServer
+from motionlang_copley.switches import Switches
+from test_copley.bus import CHANNELS, Bus, dictionary
 
 PATIENCE = 30.0
 # Frames of drives, for interfaces that give a master its own frames back.
@@ -651,7 +651,7 @@ def test_the_program_of_the_page(
     interface: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The program of docs/hosts-can.md; a master on udp_multicast gets its own frames back."""
-    page = (Path(__file__).parents[4] / "docs" / "hosts-can.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[1] / "docs" / "hosts-can.md").read_text(encoding="utf-8")
     program = page.split("```py\n")[1].split("```")[0]
     channel, file = channel_of(interface, monkeypatch), tmp_path / "drive.eds"
     for shown, used in (("socketcan", interface), ("vcan0", channel), ("drive.eds", str(file))):

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from functools import partial
 
 from motionlang.lab.pvt.drive import packet
-from motionlang.lab.pvt.drive.buffer import BufferedPoint, entry_of
-from motionlang.lab.pvt.drive.drive import IDLE, MOVING, STOPPING, WAITING, Drive
-from motionlang.lab.pvt.drive.modes import (
+from motionlang.lab.pvt.drive.point import MAX_TIME
+from motionlang_copley.buffer import BufferedPoint, entry_of
+from motionlang_copley.drive import IDLE, MOVING, STOPPING, WAITING, Drive
+from motionlang_copley.modes import (
     HALT,
     HOMING,
     METHODS,
@@ -24,8 +25,7 @@ from motionlang.lab.pvt.drive.modes import (
     START,
     ProfileModes,
 )
-from motionlang.lab.pvt.drive.point import MAX_TIME
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.switches import Switches
 
 # The states of DS402, and the bits of the status word of each.
 DISABLED, READY, ON, ENABLED, QUICK_STOP, FAULT = range(6)

@@ -1,4 +1,4 @@
-"""`motionlang pvt stream`: a master on a CAN bus with a simulated or real drive."""
+"""`motionlang copley stream`: a master on a CAN bus with a simulated or real drive."""
 
 from __future__ import annotations
 
@@ -11,17 +11,16 @@ from motionlang.cli.command import Refused, flag, option
 from motionlang.cli.complaints import complain
 from motionlang.cli.option_groups import OutputOptions
 from motionlang.kernel import Diagnostic
-from motionlang.kernel.tools import need
-from motionlang.lab.pvt.drive.buffer import SIZE
-from motionlang.lab.pvt.drive.drive import Drive
+from motionlang.lab.pvt.drive.packet import SIZE
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
 from motionlang.lab.pvt.input import POSITIVE, PointSource, Sent
 from motionlang.lab.pvt.points import Point, absolute, plan_points
-from motionlang.lab.pvt.view import figure, pairs_lines
+from motionlang.lab.pvt.view import figure
 from motionlang.views.table import Column, Document, Table
+from motionlang_copley.drive import Drive
 
 if TYPE_CHECKING:
-    from motionlang.lab.pvt.drive.master import Streamed
+    from motionlang_copley.master import Streamed
 
 LINEAR = ("0", "-1", "-2")
 
@@ -29,7 +28,7 @@ LOG = (Column("time"), Column("event"))
 
 
 @dataclass
-class PvtStream(Sent, OutputOptions):
+class CopleyStream(Sent, OutputOptions):
     """Send a move to a simulated drive over CANopen and compare the motion."""
 
     transfer: str = option(
@@ -48,9 +47,8 @@ class PvtStream(Sent, OutputOptions):
     real: bool = flag("stream to a real drive on the bus and move it; simulate none")
 
     def run(self) -> int:
-        """Stream, print the result, and return the exit status; MissingExtra without CAN."""
-        need("motionlang pvt stream", "can", "canopen")
-        from motionlang.lab.pvt.drive.bus import BusError
+        """Stream, print the result, and return the exit status."""
+        from motionlang_copley.bus import BusError
 
         logging.getLogger("canopen").setLevel(
             logging.CRITICAL
@@ -65,8 +63,8 @@ class PvtStream(Sent, OutputOptions):
         return self.draw([self.planned(move.points)], [move.name]) or status
 
     def _stream_to_simulated(self, move: PointSource, wire: Sequence[WirePoint]) -> int:
-        from motionlang.lab.pvt.drive.bus import LockstepBus
-        from motionlang.lab.pvt.drive.master import BusMaster, StreamError
+        from motionlang_copley.bus import LockstepBus
+        from motionlang_copley.master import BusMaster, StreamError
 
         drive = Drive(self._start_position(move))
         with LockstepBus(drive, self.node, self._poll_period(wire), self.interface, self.channel) as bus:
@@ -92,8 +90,8 @@ class PvtStream(Sent, OutputOptions):
         return max(1, round((usual if self.poll_interval is None else self.poll_interval) * 1000))
 
     def _stream_to_real(self, wire: Sequence[WirePoint]) -> int:
-        from motionlang.lab.pvt.drive.bus import RealBus
-        from motionlang.lab.pvt.drive.master import BusMaster, StreamError
+        from motionlang_copley.bus import RealBus
+        from motionlang_copley.master import BusMaster, StreamError
 
         try:
             with RealBus(self.node, self.interface, self.channel) as bus:
@@ -145,7 +143,7 @@ class PvtStream(Sent, OutputOptions):
         frames: int,
         error: float | None,
     ) -> list[str]:
-        from motionlang.lab.pvt.drive.master import TRANSFERS
+        from motionlang_copley.master import TRANSFERS
 
         pairs = [
             ("move", f"{move.name}, {count} points"),
@@ -164,7 +162,7 @@ class PvtStream(Sent, OutputOptions):
         if error is not None:
             shown = f"{error:.3g} counts" if error > 1e-6 else "none"
             pairs.append(("departure", f"{shown} between the motion of the drive and the points"))
-        lines = pairs_lines(pairs)
+        lines = _pairs_lines(pairs)
         return lines + [""] * bool(drive.log) + [f"{time:10.6f} s  {what}" for time, what in drive.log]
 
     def _departure(self, drive: Drive, wire: Sequence[WirePoint]) -> float | None:
@@ -185,3 +183,9 @@ class PvtStream(Sent, OutputOptions):
 
 def _complain_of_stream(problem: str, hint: str = "") -> None:
     complain([Diagnostic("never", f"the stream failed: {problem}", hint=hint)], None, "")
+
+
+def _pairs_lines(pairs: Sequence[tuple[str, str]]) -> list[str]:
+    """Return aligned names and values."""
+    width = max(len(name) for name, _ in pairs)
+    return [f"{name:<{width}}  {value}" for name, value in pairs]

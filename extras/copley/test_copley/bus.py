@@ -10,9 +10,9 @@ from typing import Any
 import can
 import canopen
 
-from motionlang.hosts.can import DriveServer
-from motionlang.lab.pvt.drive.eds import eds
-from motionlang.lab.pvt.drive.switches import Switches
+from motionlang_copley.eds import eds
+from motionlang_copley.server import DriveServer
+from motionlang_copley.switches import Switches
 
 CHANNELS = count(1)
 POSITION, STATUS = 0x6064, 0x6041

@@ -5,13 +5,13 @@ from __future__ import annotations
 import pytest
 
 from motionlang.lab.pvt.drive import serial
-from motionlang.lab.pvt.drive.drive import IDLE, Drive
 from motionlang.lab.pvt.drive.packet import OVERFLOW
 from motionlang.lab.pvt.drive.point import WirePoint, from_wire, to_wire
 from motionlang.lab.pvt.export import export
 from motionlang.lab.pvt.fit import track_error
 from motionlang.lab.pvt.points import plan_points
 from motionlang.lab.pvt.scurve import scurve
+from motionlang_copley.drive import IDLE, Drive
 from tests.lab.pvt.drive.serial_port import PortRefused, SerialPort
 
 

@@ -11,8 +11,8 @@ from typing import ClassVar
 
 import pytest
 
-from motionlang.lab.pvt.drive.switches import Switches
-from tests.lab.pvt.drive.bus import Master, SdoAbort
+from motionlang_copley.switches import Switches
+from test_copley.bus import Master, SdoAbort
 
 CONTROL, STATUS, MODE, POSITION, VELOCITY = 0x6040, 0x6041, 0x6060, 0x6064, 0x606C
 TARGET, SPEED, ACCEL, TARGET_VELOCITY, METHOD = 0x607A, 0x6081, 0x6083, 0x60FF, 0x6098
