@@ -1,9 +1,12 @@
-"""The distributions of the folder extras that are installed; the tests of the package need none."""
+"""The distributions of the folder extras that are installed, and the others; tests of the package need none."""
 
 from __future__ import annotations
 
 from importlib.util import find_spec
 from pathlib import Path
 
+from motionlang.cli.commands import EXTRAS
+
 ROOT = Path(__file__).parent.parent
 INSTALLED = [each for each in sorted((ROOT / "extras").glob("*")) if find_spec(f"motionlang_{each.name}")]
+ABSENT = sorted({*EXTRAS} - {each.name for each in INSTALLED})

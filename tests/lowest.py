@@ -3,9 +3,9 @@
 For each Python, an environment in a temporary folder gets the wheel and the lowest versions that it declares.
 There the help and the real uses of every command run, with all warnings as errors; in the first environment, also
 without assertions and docstrings (-OO), since each compiles all modules anyway. With the first Python, the tests of
-`FOLDERS`, which show what these libraries write, then run with the lowest versions of the extras, too. Without
-arguments, each Python from 3.11 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is
-needed.
+`FOLDERS`, which show what these libraries write, then run with the lowest versions of the extras, too; those of the
+command line show that the package needs no distribution of the folder extras. Without arguments, each Python from 3.11
+to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is needed.
 """
 
 from __future__ import annotations
@@ -42,7 +42,9 @@ TEST_TOOLS = ("hypothesis", "pytest", "jsonschema", "packaging")
 WHEELS = ("--quiet", "--only-binary", ":all:")
 # The tests that use the libraries, and the extras whose files and pictures they read.
 FOLDERS = (
+    "tests/cli",
     "tests/golden",
+    "tests/lab/pvt",
     "tests/views",
     "tests/repl",
     "tests/kernel/log",
@@ -93,13 +95,13 @@ def run(python: str, wheel: Path, folder: Path, *flags: str, newest: bool = Fals
     return f"Python {' '.join((version, *flags))} with {libraries}: {len(helps())} helps, {len(uses)} uses"
 
 
-def run_tests(python: str, folder: Path) -> str:
-    """Run the tests of `FOLDERS` with `python` and the lowest versions in an environment of its own."""
+def run_tests(python: str, wheel: Path, folder: Path) -> str:
+    """Run the tests of `FOLDERS` with `python`, the wheel and the lowest versions in an environment of its own."""
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
     versions = lowest(version, TESTED_EXTRAS)
     subprocess.run([python, "-m", "venv", "--without-pip", str(folder / "env")], check=True)
     installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
-    command = [sys.executable, "-m", *installer(installed), *WHEELS, *versions, *TEST_TOOLS]
+    command = [sys.executable, "-m", *installer(installed), *WHEELS, str(wheel), *versions, *TEST_TOOLS]
     subprocess.run(command, check=True)
     # Old libraries use what the newest versions of their own dependencies deprecate.
     ignored = ("-W", "ignore::DeprecationWarning", "-W", "ignore::PendingDeprecationWarning")
@@ -145,7 +147,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
         folder = Path(name)
         (wheel,) = distributions(folder, "wheel")
-        tested = pool.submit(run_tests, present[0], folder / "suite")
+        tested = pool.submit(run_tests, present[0], wheel, folder / "suite")
         for line in pool.map(
             lambda number: run(present[number], wheel, folder / str(number), *([] if number else ["-OO"])),
             range(len(present)),

@@ -25,7 +25,7 @@ from _pytest.mark import ParameterSet
 from motionlang.cli import commands, main
 from motionlang.kernel import Source, read_machine, run
 from tests.cli.programs import parser_of
-from tests.extras import INSTALLED
+from tests.extras import ABSENT, INSTALLED
 from tests.lab.notes.examples import printed
 
 ROOT = Path(__file__).parent.parent
@@ -159,7 +159,9 @@ def test_commands_in_the_text_exist_with_their_options(
     text = _BLOCK.sub("", page.read_text(encoding="utf-8"))
     for command in {" ".join(each.split()) for each in _INLINE.findall(text)}:
         words = shlex.split(re.split(r" [<>|] ", command.replace("\\|", "|"))[0])
-        if any(re.fullmatch(r"COMMAND|SHELL|NAME|HOST:PORT", word) for word in words[:3]):
+        if words[0] in ABSENT or any(
+            re.fullmatch(r"COMMAND|SHELL|NAME|HOST:PORT", word) for word in words[:3]
+        ):
             continue
         with suppress(SystemExit):
             parser_of(words[0]).parse_args(words)

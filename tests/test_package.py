@@ -85,7 +85,17 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
     with tarfile.open(built[0]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
     assert {"CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "SECURITY.md", "README.md"} <= names
-    for folder in ("benchmarks", "docs", "examples", "grammars", "motionlang", "scripts", "tests", "tools"):
+    for folder in (
+        "benchmarks",
+        "docs",
+        "examples",
+        "extras",
+        "grammars",
+        "motionlang",
+        "scripts",
+        "tests",
+        "tools",
+    ):
         here = {
             path.relative_to(ROOT).as_posix()
             for path in (ROOT / folder).rglob("*")

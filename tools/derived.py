@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 from pkgutil import resolve_name
 
 # In this order: a program cannot use a new keyword before the grammar has its tokens and the indexes its row. Each
 # group has a process of its own, so that it imports the files that the groups before it wrote.
 GRAMMARS = "motionlang.kernel.tables"
-GROUPS = (
+GROUPS: tuple[tuple[str, ...], ...] = (
     ("tools.keyword_index:files",),
     ("tools.assumption_index:files",),
     (
@@ -26,7 +27,6 @@ GROUPS = (
         "tools.fidelity_page:files",
         "tools.sources_page:files",
         "tools.report_types:files",
-        "extras.mcapi.mcapi_files:files",
         "tools.command_pages:files",
         "tools.diagnostics_page:files",
         "tools.vscode_grammars:files",
@@ -35,6 +35,8 @@ GROUPS = (
         "tools.highlight_tables:files",
     ),
 )
+if find_spec("motionlang_mcapi"):
+    GROUPS += (("extras.mcapi.mcapi_files:files",),)
 # The text of each file of a writer, None if the file must not exist.
 Files = dict[Path, str | None]
 

@@ -1,6 +1,6 @@
 """Build all artefacts of a release and check them: `python -m tests.release [OPTION] [FOLDER]`.
 
-The artefacts remain in FOLDER (default build/release): in `dist` source distribution and wheel, in `more` the program
+The artefacts remain in FOLDER (default build/release): in `dist` source distributions and wheels, in `more` the program
 for people without Python, the VS Code extension, and the site with the playground. The table shows the size, the check
 and the start time of each. An artefact whose tools are not installed is skipped, and the table says why. A package
 index is needed, and npm's registry. `--quick` has the part that CI runs: the distributions, and the wheel with the
@@ -33,6 +33,7 @@ def parts(scratch: Path, quick: bool) -> Iterator[tuple[str, Callable[[], Iterat
     """Yield the parts of the check by name; the distributions, which the others need, are built first."""
     sdist, wheel = artefacts.distributions(scratch)
     yield "distributions", lambda: artefacts.check_distributions(scratch, sdist, wheel)
+    yield "extras", lambda: artefacts.extras(scratch, wheel)
     yield "installs", lambda: artefacts.check_installs(scratch, wheel, sdist, only_here=quick)
     if quick:
         return
@@ -51,7 +52,7 @@ def main() -> int:
     some = parser.add_mutually_exclusive_group()
     some.add_argument("--quick", action="store_true")
     some.add_argument(
-        "--only", choices=("distributions", "installs", "program", "extension", "site", "indexes")
+        "--only", choices=("distributions", "extras", "installs", "program", "extension", "site", "indexes")
     )
     given = parser.parse_args()
     shutil.rmtree(given.folder, ignore_errors=True)
@@ -68,10 +69,10 @@ def main() -> int:
             except AssertionError as error:
                 failed = 1
                 print(line(Row(name, f"failed: {error}")), flush=True)
-        for artefact in sorted(Path(scratch).glob("motionlang-*.*")):
+        for artefact in sorted(Path(scratch).glob("motionlang[-_]*.*")):
             if artefact.is_file():
-                is_distribution = (
-                    artefact.suffix == ".whl" or artefact.name == f"motionlang-{__version__}.tar.gz"
+                is_distribution = artefact.suffix == ".whl" or artefact.name.endswith(
+                    f"-{__version__}.tar.gz"
                 )
                 target = given.folder / ("dist" if is_distribution else "more")
                 target.mkdir(parents=True, exist_ok=True)

@@ -22,6 +22,11 @@ from tests.lowest import installer, interpreters, run
 
 PROGRAM = ROOT / "scripts" / "mint" / "ballscrew.mnt"
 PRINTED = "the nut is at 200.0000 mm"
+# A use of each distribution in extras, and what it prints.
+USES = {
+    "copley": ("copley stream --scurve 1000 --time 100", "move ended at 1000"),
+    "mcapi": ("mcapi replay extras/mcapi/test_mcapi/stage.mcapi-log", "0 differences"),
+}
 # The start of the program for people without Python: workers of `sweep` and `check` are processes of the same file.
 ENTRY = """\
 import multiprocessing, sys
@@ -91,13 +96,17 @@ def find(tool: str) -> str:
 
 
 def distributions(folder: Path) -> tuple[Path, Path]:
-    """Build the source distribution, and from it the wheel, each in isolation, below `folder`."""
+    """Build the source distribution, and from it the wheel, each in isolation, below `folder`.
+
+    Those of the folder extras are built, too.
+    """
     if find_spec("build") is None:
         raise Skipped("the package build is not installed")
     copy = folder / "source"
     shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*IGNORED))
     fast = ("--installer", "uv") if find_spec("uv") else ()
-    call(sys.executable, "-m", "build", *fast, "--outdir", folder, copy)
+    for source in (copy, *sorted((copy / "extras").glob("*"))):
+        call(sys.executable, "-m", "build", *fast, "--outdir", folder, source)
     sdist, wheel = (next(folder.glob(f"motionlang-{__version__}{end}")) for end in (".tar.gz", "-*.whl"))
     return sdist, wheel
 
@@ -139,6 +148,27 @@ def check_installs(folder: Path, wheel: Path, sdist: Path, *, only_here: bool) -
     if not only_here:
         programs = environment(folder / "from-sdist", sdist)
         yield Row("sdist, installed", "runs a program", None, start_time(programs / "motionlang"))
+
+
+def extras(folder: Path, wheel: Path) -> Iterator[Row]:
+    """Check the distributions in extras, install each with the wheel, and use it."""
+    for name, (use, printed) in USES.items():
+        package = f"motionlang_{name}"
+        sdist, built = (next(folder.glob(f"{package}-{__version__}{end}")) for end in (".tar.gz", "-*.whl"))
+        call(sys.executable, "-m", "twine", "check", "--strict", sdist, built)
+        call(sys.executable, "-m", "check_wheel_contents", built)
+        with zipfile.ZipFile(built) as archive:
+            names = {each for each in archive.namelist() if not each.startswith(f"{package}-")}
+        source = folder / "source" / "extras" / name
+        wanted = {
+            each.relative_to(source).as_posix() for each in (source / package).rglob("*") if each.is_file()
+        }
+        assert names == wanted, sorted(names ^ wanted)[:5]
+        programs = environment(folder / f"extra-{name}", wheel, built)
+        assert printed in call(programs / "motionlang", *use.split())
+        yield Row(
+            built.name, f"twine; {len(names)} files; motionlang {use.partition(' -')[0]}", megabytes(built)
+        )
 
 
 def program(folder: Path, wheel: Path) -> Iterator[Row]:

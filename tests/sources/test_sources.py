@@ -11,17 +11,15 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli import commands
-from motionlang.cli.commands import EXTRAS
 from tests.cases import cases
 from tests.cli.notes import NAMES, answer
 from tests.cli.programs import parser_of
-from tests.extras import INSTALLED
+from tests.extras import ABSENT
 from tools.sources_page import ROOT, Entry, entries
 
 ENTRIES = [each for each in entries() if each.kind != "context"]
-# Commands of a package that is not installed are not run.
-ABSENT = [f"motionlang {name}" for name in EXTRAS if name not in {each.name for each in INSTALLED}]
-COMMANDS = [each for each in ENTRIES if not each.command.startswith(("calc ", "page ", *ABSENT))]
+NOT_RUN = ("calc ", "page ", *(f"motionlang {name} " for name in ABSENT))
+COMMANDS = [each for each in ENTRIES if not each.command.startswith(NOT_RUN)]
 
 
 @cache
