@@ -24,7 +24,7 @@ class Parser(argparse.ArgumentParser):
 
     # The names of all commands, for a hint on an option that is one.
     verbs: Collection[str] = ()
-    # What replaces each option that a command had in the version before.
+    # What replaces each option and subcommand that a command had in the version before.
     removed: Mapping[str, str] = {}
 
     def __init__(self, **options: object) -> None:
@@ -47,11 +47,11 @@ class Parser(argparse.ArgumentParser):
         wrong = re.search(r"unrecognized arguments: (--[\w-]+)|invalid choice: '([\w-]+)'", message)
         if wrong is not None:
             words = self._options() if wrong[1] else {word: word for word in self._words()}
-            option = (wrong[1] or "").removeprefix("--")
-            if option in self.removed:
-                return self.removed[option]
-            if option in self.verbs:
-                return f"motionlang {option} is a command of its own"
+            word = (wrong[1] or wrong[2]).removeprefix("--")
+            if word in self.removed:
+                return self.removed[word]
+            if word in self.verbs:
+                return f"motionlang {word} is a command of its own"
             near = nearest(wrong[1] or wrong[2], words)
             if near is not None:
                 return f"did you mean {words[near]}?"

@@ -15,11 +15,23 @@ def test_a_line_of_options_alone_names_no_command(capsys: pytest.CaptureFixture[
     assert "the following arguments are required: COMMAND" in capsys.readouterr().err
 
 
-def test_a_command_of_a_command_that_there_is_not(capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        ("servo nonsense", "motionlang servo --help lists the options"),
+        ("servo plan", "motionlang plan is a command of its own"),
+        ("pvt stream", "motionlang copley stream sends a move to a drive over CANopen"),
+    ],
+)
+def test_a_command_of_a_command_that_there_is_not(
+    line: str, hint: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     with pytest.raises(SystemExit) as end:
-        main(["servo", "nonsense"])
+        main(line.split())
     assert end.value.code == 2
-    assert "there is no command nonsense" in capsys.readouterr().err
+    error, said = capsys.readouterr().err.splitlines()
+    assert f"there is no command {line.split()[1]}; choose" in error
+    assert said == f"  hint: {hint}"
 
 
 @pytest.mark.parametrize(
@@ -27,7 +39,12 @@ def test_a_command_of_a_command_that_there_is_not(capsys: pytest.CaptureFixture[
     [
         ("pvt refine --timee 5", "pvt refine", "did you mean --time?"),
         ("servo step --bandwith 9", "servo step", "did you mean --bandwidth?"),
-        ("serve --mcapi 5011", "serve", "motionlang mcapi is a command of its own"),
+        ("serve --can x:y", "serve", "motionlang copley serve INTERFACE:CHANNEL puts drives on a bus"),
+        (
+            "serve --mcapi 5011",
+            "serve",
+            "motionlang mcapi serve --port HOST:PORT serves hosts that call MCAPI",
+        ),
         ("run x.mnt --untl 5", "run", "did you mean --until?"),
     ],
 )

@@ -5,6 +5,7 @@ The controller is an MCCL board, or it runs a Mint program. Modbus requires a Mi
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -19,6 +20,10 @@ from motionlang.kernel import STDIN
 class Serve(ServedBoard, ServedLine):
     """Let hosts talk to a virtual controller, or to a Mint program over Modbus."""
 
+    removed: ClassVar[Mapping[str, str]] = {
+        "can": "motionlang copley serve INTERFACE:CHANNEL puts drives on a bus",
+        "mcapi": "motionlang mcapi serve --port HOST:PORT serves hosts that call MCAPI",
+    }
     epilog: ClassVar[str] = """\
 The board is a PMC controller with ASCII MCCL, which gets FILE first. A Mint
 program has the serial line of its controller, without FILE after --lang mint.

@@ -115,6 +115,7 @@ class PvtExport(Sent, OutputOptions):
 class Pvt(Command):
     """Work with position-velocity-time moves for Copley drives."""
 
+    removed: ClassVar = {"stream": "motionlang copley stream sends a move to a drive over CANopen"}
     commands: ClassVar = {
         "plot": (
             PvtPlot,
