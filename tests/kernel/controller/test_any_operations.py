@@ -4,95 +4,18 @@ from __future__ import annotations
 
 import math
 from random import Random
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from motionlang.kernel import Controller, Rejected, Trace
 from tests.cases import examples
-from tests.kernel.controller.machines import cam, machine, offset, until
+from tests.kernel.controller.machines import machine
+from tests.kernel.controller.motions import RECORDED, SHAPES, differences, lines, perform, run_on, steps_of
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-TABLE = ([0.0, 3.0, 7.0, 9.0], [0.0, 4.0, -2.0, 1.0])
-SHAPES = ("trapezoid", "sinusoidal", "scurve", "parabolic")
 SEEDS = st.integers(0, 2**32)
-
-Step = tuple[Any, ...]
-
-
-def steps_of(r: Random, most: int) -> list[Step]:
-    """Return random verbs with their arguments; the seed defines the complete case."""
-
-    def axis() -> int:
-        return r.randrange(3)
-
-    def distance() -> float:
-        return r.choice([0.0, 1.0, -1.0, r.uniform(-20.0, 20.0), r.uniform(-20.0, 20.0)])
-
-    makers: list[Callable[[], Step]] = [
-        *[lambda: ("wait", r.randrange(97) / 64.0)] * 5,
-        *[lambda: ("go", [0, 1, 2])] * 3,
-        *[
-            lambda: (
-                r.choice(["load_by", "load_to", "move_to", "move_by", "retarget_to", "offset"]),
-                axis(),
-                distance(),
-            )
-        ]
-        * 2,
-        lambda: ("jog", axis(), r.uniform(-15.0, 15.0)),
-        lambda: (
-            "load_line_by",
-            r.choice([[0, 1], [1, 0], [1, 2], [0, 1, 2]]),
-            [distance(), distance(), distance()],
-        ),
-        lambda: (
-            "load_arc",
-            [0, 1],
-            (distance(), distance()),
-            r.choice([90.0, 360.0, distance() * 25.0]),
-            (),
-            r.random() < 0.5,
-        ),
-        lambda: ("load_dwell", axis(), r.randrange(50) / 64.0),
-        lambda: ("load_fly", axis(), axis(), distance(), r.uniform(1.0, 9.0)),
-        lambda: (r.choice(["stop", "suspend", "resume", "abort", "disable", "enable"]), axis()),
-        lambda: ("gear", axis(), axis(), r.uniform(-2.0, 2.0), r.random() < 0.5),
-        lambda: ("cam", axis(), axis(), r.random() < 0.5),
-        lambda: ("configure", axis(), r.choice(["speed", "accel", "decel"]), r.uniform(1.0, 200.0)),
-        lambda: ("configure", axis(), "override", r.choice([0.0, 0.5, 1.0, 2.0])),
-        lambda: ("configure", axis(), "feedrate_mode", r.randrange(4)),
-        lambda: ("configure", axis(), "contour_mode", r.random() < 0.5),
-    ]
-    return [r.choice(makers)() for _ in range(r.randrange(2, most))]
-
-
-def perform(c: Controller, step: tuple[Any, ...]) -> None:
-    verb, *rest = step
-    if verb == "wait":
-        run_on(c, c.clock.now + rest[0])
-    elif verb == "cam":
-        slave, master, cyclic = rest
-        cam(c, slave, master, *TABLE, cyclic=cyclic)
-    elif verb == "offset":
-        offset(c, *rest)
-    elif verb == "load_line_by":
-        c.load_line_by(rest[0], rest[1][: len(rest[0])])
-    else:
-        getattr(c, verb)(*rest)
-
-
-def run_on(c: Controller, time: float) -> None:
-    """Advance the controller to `time`; a motion that an event rejects just ends."""
-    while c.clock.now < time:
-        try:
-            until(c, time)
-        except Rejected:
-            pass
 
 
 def jumps(c: Controller, axis: int) -> float:
@@ -147,3 +70,16 @@ def test_the_trace_and_the_log_are_the_track(seed: int) -> None:
         assert move.profile.duration >= 0.0
         assert all(phase.duration >= 0.0 for phase in move.profile.phases)
         assert move.profile.peak_speed >= 0.0
+
+
+def test_motion_has_the_figures_that_were_recorded(request: pytest.FixtureRequest) -> None:
+    now = list(lines(range(45)))
+    if request.config.getoption("--update"):
+        RECORDED.write_text("\n".join([*now, ""]), encoding="utf-8")
+    assert list(differences(now, RECORDED.read_text(encoding="utf-8").splitlines())) == []
+
+
+def test_a_figure_differs_by_more_than_rounding() -> None:
+    assert list(differences(["a 1.0 x"], ["a 1.0000000001 x"])) == []
+    assert list(differences(["a 1.0", " 0 2"], ["a 1.0", " 0 3"])) == ["a:\n   0 2\n   0 3"]
+    assert list(differences(["a x"], ["a y z", "b"])) == ["a:\n  a x\n  a y z", "a:\n  \n  b"]
