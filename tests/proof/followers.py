@@ -146,7 +146,7 @@ def _check_segment(proof: Proof, run: RunRecords, a: Axis, i: int, order: Order,
     tie = order.tie
     assert tie is not None
     before = run.expected_motion.of[a.index][i - 1].tie if i else None
-    begins, bends = derivatives(curve.pieces[0], 0.0)[1], curve.pieces[0][3]
+    begins, bends = derivatives(curve.pieces[0], 0.0)[1], curve.drawn[1][0][3]
     wanted = 0.0
     if before is not None and before.curve is not None and before.table is not None:
         last = before.curve

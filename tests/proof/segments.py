@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import acos, asin, ceil, copysign, cos, floor, fsum, isfinite, pi, sin, sqrt
 
-from motionlang.kernel.planners import Piece, Profile
+from motionlang.kernel.planners import Piece, Plain, Profile
 
 
 class Span:
@@ -18,7 +18,7 @@ class Span:
 
     __slots__ = ("begin", "length", "piece")
 
-    def __init__(self, begin: float, length: float, piece: Piece) -> None:
+    def __init__(self, begin: float, length: float, piece: Plain) -> None:
         self.begin, self.length, self.piece = begin, length, piece
 
     def at(self, x: float) -> tuple[float, float, float, float]:
@@ -46,7 +46,8 @@ class Span:
 
 
 def derivatives(piece: Piece, x: float) -> tuple[float, float, float, float]:
-    """Return position, velocity, acceleration and jerk of a piece."""
+    """Return position, velocity, acceleration and jerk of a cubic or a half wave."""
+    assert isinstance(piece, tuple)
     c0, c1, c2, c3, amplitude, omega, phase = piece
     p, v = c0 + x * (c1 + x * (c2 + x * c3)), c1 + x * (2.0 * c2 + 3.0 * c3 * x)
     a, j = 2.0 * c2 + 6.0 * c3 * x, 6.0 * c3
@@ -60,7 +61,7 @@ def spans(profile: Profile, begin: float, length: float) -> list[Span]:
     """Return the segments of a piecewise profile from `begin` on for `length` seconds."""
     found = []
     knots = profile.knots
-    for piece, first, last in zip(profile.pieces, knots, knots[1:], strict=False):
+    for piece, first, last in zip(profile.drawn[1], knots, knots[1:], strict=False):
         start, stop = max(first, begin), min(last, begin + length)
         if stop > start and isfinite(stop):
             found.append(Span(start - begin, stop - start, _from(piece, start - first)))
@@ -78,7 +79,7 @@ def combined(spans: Sequence[Span], weights: Sequence[float], origin: float) -> 
     return Span(spans[0].begin, spans[0].length, (*sums, *waving.piece[5:]))  # type: ignore[arg-type]
 
 
-def _from(piece: Piece, x: float) -> Piece:
+def _from(piece: Plain, x: float) -> Plain:
     """Return the same piece with its time origin moved to `x`."""
     if not x:
         return piece

@@ -32,7 +32,7 @@ def points(curve: Curve) -> list[tuple[float, float]]:
 
 @pytest.mark.parametrize(("count", "per_piece"), [(2, 60), (40, 50), (999, 2), (1001, 2)])
 def test_a_curve_has_up_to_60_points_a_piece_and_2000_in_all(count: int, per_piece: int) -> None:
-    profile: Any = SimpleNamespace(pieces=[(0.0, 1.0, 0.0, 0.0)] * count, knots=range(count + 1))
+    profile: Any = SimpleNamespace(drawn=(range(count + 1), [(0.0, 1.0, 0.0, 0.0)] * count, ()))
     assert [len(each) for each in pvt_plot._curve(profile, 0)] == [count * per_piece] * 2
 
 
@@ -47,7 +47,7 @@ def test_a_curve_has_up_to_60_points_a_piece_and_2000_in_all(count: int, per_pie
 def test_a_curve_has_both_ends_of_each_piece(order: int, ends: list[float]) -> None:
     """Times are in ms, from the beginning of the move."""
     pieces = [(7.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0), (0.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0)]
-    profile: Any = SimpleNamespace(pieces=pieces, knots=(0.0, 1.0, 3.0))
+    profile: Any = SimpleNamespace(drawn=((0.0, 1.0, 3.0), pieces, ()))
     times, values = pvt_plot._curve(profile, order)
     assert [times[k] for k in (0, 59, 60, 119)] == [0.0, 1000.0, 1000.0, 3000.0]
     assert [values[k] for k in (0, 59, 60, 119)] == pytest.approx(ends)

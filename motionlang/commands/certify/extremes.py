@@ -145,8 +145,8 @@ def _stretches(profile: Profile, length: float) -> Iterator[list[tuple[float, Mo
         begin, span = knots[k], min(knots[k + 1], within) - knots[k]
         if span <= 0.0:
             break
-        if profile.pieced:
-            piece = profile.pieces[k]
+        piece = profile.pieces[k]
+        if isinstance(piece, tuple):
             extrema: set[float] = set()
             for where in (still_points, even_points, crest_points):
                 extrema.update(where(piece, span))

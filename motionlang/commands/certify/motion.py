@@ -31,7 +31,7 @@ from motionlang.commands.certify import CertifiedLimit
 from motionlang.kernel import Axis, Controller, Diagnostic
 from motionlang.kernel.controller import Playback
 from motionlang.kernel.log import LoggedMove
-from motionlang.kernel.planners import Piece, Profile
+from motionlang.kernel.planners import Plain, Profile
 
 # The fraction of the largest figure that rounding may amount to, and the relative error of a time.
 SLACK, ROUNDED = 1e-6, 1.6e-15
@@ -282,7 +282,7 @@ class _Side:
                     self._peaks.take(self._start + first, here, self._datum)
             return
         before: State | None = None
-        for k, piece in enumerate(profile.pieces[:count]):
+        for k, piece in enumerate(profile.drawn[1][:count]):
             span = min(knots[k + 1], length) - knots[k]
             if before is not None:
                 self._verify_knot(profile, knots[k], before, _state(piece, 0.0))
@@ -402,7 +402,7 @@ _PEAKS = {
 }
 
 
-def _state(piece: Piece, x: float) -> State:
+def _state(piece: Plain, x: float) -> State:
     """Evaluate c0 + c1 x + c2 x² + c3 x³ + A sin(ωx + φ) and its derivatives."""
     c0, c1, c2, c3, amplitude, omega, phase = piece
     p, v = c0 + x * (c1 + x * (c2 + x * c3)), c1 + x * (2.0 * c2 + 3.0 * c3 * x)
@@ -413,7 +413,7 @@ def _state(piece: Piece, x: float) -> State:
     return p, v, a, j
 
 
-def _turning_points(piece: Piece, span: float) -> list[float]:
+def _turning_points(piece: Plain, span: float) -> list[float]:
     """Return the beginning of a piece, and the times within `span` at which a derivative is zero."""
     _, c1, c2, c3, amplitude, omega, phase = piece
     found = [0.0]

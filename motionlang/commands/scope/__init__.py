@@ -27,7 +27,7 @@ from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.kernel import Controller, Run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.log import GRAVE
-from motionlang.kernel.planners import Piece, pieces_of, recentred
+from motionlang.kernel.planners import Plain, pieces_of, recentred
 from motionlang.kernel.report import events as events_of
 from motionlang.kernel.report import finite
 from motionlang.kernel.report import moves as moves_of
@@ -299,7 +299,7 @@ def _in_units(values: Iterable[float], counts: Sequence[float]) -> Sequence[floa
     return list(map(truediv, values, counts))
 
 
-def _wave(piece: Piece, counts: float) -> tuple[float, float, float]:
+def _wave(piece: Plain, counts: float) -> tuple[float, float, float]:
     return piece[4] / counts, piece[5], piece[6]
 
 

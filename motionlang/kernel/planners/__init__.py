@@ -40,7 +40,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.curve import pieces_of as pieces_of
     from motionlang.kernel.planners.curve import state_in as state_in
     from motionlang.kernel.planners.evaluate import piece_values as piece_values
-    from motionlang.kernel.planners.formula import summit as summit
     from motionlang.kernel.planners.limits import check_finite as check_finite
     from motionlang.kernel.planners.limits import check_positive as check_positive
     from motionlang.kernel.planners.pieces import acceleration_in as acceleration_in
@@ -57,8 +56,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.pvt.velocities import knot_accelerations as knot_accelerations
     from motionlang.kernel.planners.pvt.velocities import pvt_velocities as pvt_velocities
     from motionlang.kernel.planners.ramps import Piece as Piece
+    from motionlang.kernel.planners.ramps import Plain as Plain
     from motionlang.kernel.planners.ramps import Recipe as Recipe
     from motionlang.kernel.planners.ramps import named_ramps as named_ramps
+    from motionlang.kernel.planners.root import summit as summit
     from motionlang.kernel.planners.sample import ORDERS as ORDERS
     from motionlang.kernel.planners.sample import PieceTable as PieceTable
     from motionlang.kernel.planners.stop import plan_stop as plan_stop
@@ -70,10 +71,10 @@ PUBLIC = {
     "curve": "Phase Profile MotionState hold from_curve pieces_of state_in",
     "target": "plan plan_trapezoid",
     "stop": "plan_stop plan_velocity",
-    "ramps": "Piece Recipe named_ramps",
+    "ramps": "Piece Plain Recipe named_ramps",
     "pieces": "acceleration_in velocity_in jerk_in crest_points even_points recentred still_points",
     "evaluate": "piece_values",
-    "formula": "summit",
+    "root": "summit",
     "sample": "ORDERS PieceTable",
     "limits": "check_finite check_positive",
     "pvt.motion": "plan_pvt pvt_piece",

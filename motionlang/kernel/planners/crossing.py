@@ -47,7 +47,9 @@ def position_crossing(profile: Profile, position: float, after: float) -> float 
             return None
         if (position - profile.end) * direction > margin and not profile.end_velocity:
             return None
-        while first + 1 < len(pieces) and (position - pieces[first + 1][0]) * direction > margin:
+        while (
+            first + 1 < len(pieces) and (position - position_in(pieces[first + 1], 0.0)) * direction > margin
+        ):
             first += 1
     how = (position_in, velocity_in, still_points)
     found = _first(profile, position, after, how, profile.end, first, not direction)
@@ -117,9 +119,9 @@ def _stays_on_one_side(piece: Piece, wanted: float, duration: float, following: 
 
     This check decides most pieces of a long table at a fraction of the cost of a search.
     """
-    c0, c1, c2, c3, amplitude, _, _ = piece
-    if amplitude or duration == inf:
+    if not isinstance(piece, tuple) or piece[4] or duration == inf:
         return False
+    c0, c1, c2, c3, _, _, _ = piece
     gap = wanted - c0
     farthest = (((abs(c3) * duration + abs(c2)) * duration) + abs(c1)) * duration
     # The margin covers the rounding of both this sum and the position.

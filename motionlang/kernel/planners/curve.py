@@ -8,20 +8,30 @@ from copy import copy
 from dataclasses import dataclass
 from itertools import chain, islice
 from math import copysign, inf
+from typing import cast
 
 from motionlang.kernel.planners import crossing as _crossing
 from motionlang.kernel.planners.pieces import (
     acceleration_in,
+    all_in,
     crest_points,
     even_points,
-    jerk_in,
     position_in,
     recentred,
     still_points,
     transformed,
     velocity_in,
 )
-from motionlang.kernel.planners.ramps import Curve, Piece, Recipe, expand, named_ramps
+from motionlang.kernel.planners.ramps import (
+    Curve,
+    Marks,
+    Piece,
+    Plain,
+    PlainCurve,
+    Recipe,
+    expand,
+    named_ramps,
+)
 
 _Value = Callable[[Piece, float], float]
 _Extrema = Callable[[Piece, float], tuple[float, ...]]
@@ -72,8 +82,8 @@ class Profile:
     __slots__ = ("_curve", "_recipe", "duration", "end", "shape", "start")
 
     _curve: Curve
-    # False for a `Formula`, whose pieces are good for drawing only.
-    pieced = True
+    # True for a motion along a curve, whose accelerations are no ramps of an axis.
+    on_curve = False
 
     # The running program calls this for every move: five stores, nothing computed. `_curve` stays unset.
     def __init__(self, shape: str, start: float, end: float, duration: float, recipe: Recipe) -> None:
@@ -147,8 +157,13 @@ class Profile:
 
     @property
     def is_large(self) -> bool:
-        """True if it has more than its recipe: pieces that have been computed, or a formula."""
-        return not self.pieced or hasattr(self, "_curve")
+        """True if it has more than its recipe: pieces that have been computed, or a curve."""
+        return hasattr(self, "_curve")
+
+    @property
+    def pieced(self) -> bool:
+        """True if it consists of cubics and half waves."""
+        return self.has_ramps or all(isinstance(piece, tuple) for piece in self.pieces)
 
     # -- the curve
 
@@ -164,6 +179,15 @@ class Profile:
             else:
                 self._curve = _ending_at(expand(self.start, self._recipe), self.start, self.duration)
             return self._curve
+
+    @property
+    def drawn(self) -> PlainCurve:
+        """The curve with cubics close enough for drawing in place of formulas; no exact result uses them."""
+        if self.pieced:
+            return cast(PlainCurve, self.curve)
+        from motionlang.kernel.planners.cubics import cubics
+
+        return cubics(self)
 
     @property
     def knots(self) -> tuple[float, ...]:
@@ -214,14 +238,14 @@ class Profile:
     def cubic(self, time: float) -> tuple[float, float, tuple[float, float, float, float]] | None:
         """Return start and end of the cubic in force at `time`, and its coefficients.
 
-        They count from its start. None outside the profile, in a half wave of a sine, and for a `Formula`.
+        They count from its start. None outside the profile, in a half wave of a sine, and in a `Formula`.
         """
-        if not self.pieced or not 0.0 <= time < self.duration:
+        if not 0.0 <= time < self.duration:
             return None
         knots, pieces, _ = self.curve
         i = self._index(time)
-        c0, c1, c2, c3, amplitude, _, _ = pieces[i]
-        return None if amplitude else (knots[i], knots[i + 1], (c0, c1, c2, c3))
+        piece = pieces[i]
+        return None if not isinstance(piece, tuple) or piece[4] else (knots[i], knots[i + 1], piece[:4])
 
     def acceleration(self, time: float) -> float:
         """Return the acceleration at `time`.
@@ -281,9 +305,11 @@ class Profile:
 
     def ending_at(self, end: float) -> Profile:
         """Return the same motion with `end`, known exactly, as its end."""
-        if end == self.end or not self.pieced:
+        if end == self.end:
             return self
-        return from_curve(self.shape, self.start, end, self.curve, self.start_velocity, self.end_velocity)
+        made = copy(self)
+        made.end = end
+        return made
 
     def after(self, time: float) -> Profile:
         """Return the rest after `time` seconds, with its clock starting at 0."""
@@ -309,10 +335,6 @@ class Profile:
             return other
         if other.duration == 0.0:
             return self
-        if not (self.pieced and other.pieced):
-            from motionlang.kernel.planners.sequence import chained
-
-            return chained(self, other)
         knots, pieces, marks = self.curve
         more_knots, more_pieces, more_marks = other.curve
         curve = (
@@ -375,9 +397,7 @@ class Profile:
 
 def state_in(piece: Piece, x: float) -> MotionState:
     """Return the state at local time x of a piece."""
-    return MotionState(
-        position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x)
-    )
+    return MotionState(*all_in(piece, x))
 
 
 def from_curve(
@@ -399,34 +419,29 @@ def relabelled(profile: Profile, shape: str, name: str = "") -> Profile:
 
     If `name` is given, the motion becomes one phase of that name.
     """
-    if not profile.pieced:
-        twin = copy(profile)  # its pieces are good for drawing only
-        twin.shape = shape
-        return twin
-    recipe = (profile.start_velocity, profile.end_velocity) if name else profile._recipe
-    made = Profile(shape, profile.start, profile.end, profile.duration, recipe)
+    made = copy(profile)
+    made.shape = shape
     if name:
         knots, pieces, marks = profile.curve
+        made._recipe = profile.start_velocity, profile.end_velocity
         made._curve = (knots, pieces, ((name, 0),) if marks else marks)
-    elif hasattr(profile, "_curve"):
-        made._curve = profile._curve
     return made
 
 
-def pieces_of(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[list[float], list[Piece]]:
+def pieces_of(starts: Sequence[float], profiles: Sequence[Profile]) -> tuple[list[float], list[Plain]]:
     """Return the times at which the pieces of profiles begin, and the pieces.
 
     Each is valid until the next one begins. The first one is the standstill before the first profile; if a profile
     ends before the next one begins, a piece for the time after its end follows.
     """
     begins: list[float] = []
-    pieces: list[Piece] = []
+    pieces: list[Plain] = []
     following = chain(islice(starts, 1, None), (inf,))
     for start, end, profile in zip(starts, following, profiles, strict=False):
         if not pieces:
             begins.append(start)
             pieces.append((profile.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))
-        knots, curve, _ = profile.curve
+        knots, curve, _ = profile.drawn
         for knot, piece in zip(knots, curve, strict=False):
             if start + knot < end:
                 begins.append(start + knot)
@@ -445,9 +460,7 @@ def far_end(position: float, velocity: float) -> float:
     return copysign(inf, velocity) if velocity else position
 
 
-def _joined_marks(
-    marks: tuple[tuple[str, int], ...], more: tuple[tuple[str, int], ...], count: int
-) -> tuple[tuple[str, int], ...]:
+def _joined_marks(marks: Marks, more: Marks, count: int) -> Marks:
     """Join the phase marks of two profiles; a phase that continues stays one phase."""
     goes_on = marks[-1][0] == more[0][0] != "segment"
     return marks + tuple((name, first + count) for name, first in (more[1:] if goes_on else more))

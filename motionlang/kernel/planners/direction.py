@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import inf
 
 from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.pieces import position_in, still_points
+from motionlang.kernel.planners.pieces import position_in, still_points, velocity_in
 
 # The travel in one direction, in length units, that counts as motion; rounding is smaller.
 _MIN_TRAVEL = 1e-6
@@ -36,7 +36,7 @@ def _stretches(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
 
     The last section may have no end.
     """
-    yield from _spans(profile, after) if profile.pieced else profile.stretches(after)  # type: ignore[attr-defined]
+    yield from _spans(profile, after)
     velocity = profile.end_velocity
     if velocity and profile.duration < inf:
         yield max(after, profile.duration), velocity * inf
@@ -51,7 +51,7 @@ def _spans(profile: Profile, after: float) -> Iterator[tuple[float, float]]:
         extrema = [x for x in still_points(piece, finish - begin) if x > low]
         for x in (*extrema, finish - begin):
             if x == inf:
-                velocity = piece[1] + 2.0 * piece[2] * (low + 1.0)
+                velocity = velocity_in(piece, low + 1.0)
                 yield begin + low, velocity * inf if velocity else 0.0
             else:
                 yield begin + low, position_in(piece, x) - position_in(piece, low)

@@ -1,14 +1,15 @@
-"""NumPy evaluation of a profile, or a column of pieces, at many times."""
+"""NumPy evaluation of a profile, or of pieces, at many times."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.reparametrised import AT_END, Reparametrised
-from motionlang.kernel.planners.sequence import ProfileSequence
-from motionlang.kernel.planners.superposition import Superposed
+from motionlang.kernel.planners.formula import Chain
+from motionlang.kernel.planners.ramps import Piece
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -19,7 +20,9 @@ def evaluate(profile: Profile, times: Array, order: int) -> Array:
     inside = (times >= 0.0) & (times < profile.duration)
     out = _outside(profile, times, order)
     if inside.any():
-        out[inside] = _inside(profile, times[inside], order)
+        knots = np.array(profile.knots)
+        which = np.clip(np.searchsorted(knots, times[inside], "right") - 1, 0, len(profile.pieces) - 1)
+        out[inside] = _values(profile.pieces, which, times[inside] - knots[which], order)
     return out
 
 
@@ -35,20 +38,33 @@ def _outside(profile: Profile, times: Array, order: int) -> Array:
     return out
 
 
-def _inside(profile: Profile, times: Array, order: int) -> Array:
-    if isinstance(profile, Reparametrised):
-        return _composed(profile, times, order)
-    if isinstance(profile, Superposed):
-        return evaluate(profile.first, times, order) + evaluate(profile.second, times, order)
-    if isinstance(profile, ProfileSequence):
-        return _chain(profile, times, order)
-    return _pieces(profile, times, order)
-
-
-def _pieces(profile: Profile, times: Array, order: int) -> Array:
-    knots = np.array(profile.knots)
-    which = np.clip(np.searchsorted(knots, times, "right") - 1, 0, len(profile.pieces) - 1)
-    return piece_values(np.array(profile.pieces).T, which, times - knots[which], order)
+def _values(pieces: Sequence[Piece], which: Indices, x: Array, order: int) -> Array:
+    """Evaluate derivative `order` at local times; `which` is the piece of each."""
+    kinds = {piece.__class__ for piece in pieces}
+    if len(kinds) > 1:
+        out = np.empty_like(x)
+        for kind in kinds:
+            own = [i for i, piece in enumerate(pieces) if piece.__class__ is kind]
+            place = np.full(len(pieces), -1)
+            place[own] = np.arange(len(own))
+            mine = place[which] >= 0
+            out[mine] = _values([pieces[i] for i in own], place[which[mine]], x[mine], order)
+        return out
+    (kind,) = kinds
+    if kind is tuple:
+        return piece_values(np.array(pieces).T, which, x, order)
+    if kind is Chain:
+        inner, outer = [piece.inner for piece in pieces], [piece.outer for piece in pieces]  # type: ignore[union-attr]
+        s, *moving = (_values(inner, which, x, n) for n in range(order + 1))
+        f = [_values(outer, which, s, n) for n in range(order + 1)]
+        if order < 2:
+            return f[1] * moving[0] if order else f[0]
+        v, a = moving[:2]
+        if order == 2:
+            return f[2] * v * v + f[1] * a
+        return (f[3] * v * v + 3.0 * f[2] * a) * v + f[1] * moving[2]
+    first, second = [piece.first for piece in pieces], [piece.second for piece in pieces]  # type: ignore[union-attr]
+    return _values(first, which, x, order) + _values(second, which, x, order)
 
 
 def piece_values(columns: Array, piece: Indices, x: Array, order: int) -> Array:
@@ -66,45 +82,3 @@ def piece_values(columns: Array, piece: Indices, x: Array, order: int) -> Array:
         height = amplitude * omega**order
         values += height[piece] * np.sin(omega[piece] * x + (phase + order * np.pi / 2.0)[piece])
     return values
-
-
-def _composed(profile: Reparametrised, times: Array, order: int) -> Array:
-    """Apply the chain rule, up to the third derivative."""
-    s = evaluate(profile.along, times, 0)
-    if order == 0:
-        return _curve(profile.path, s, 0) + profile.lift
-    v = evaluate(profile.along, times, 1)
-    if order == 1:
-        return _curve(profile.path, s, 1) * v
-    a = evaluate(profile.along, times, 2)
-    if order == 2:
-        return _curve(profile.path, s, 2) * v * v + _curve(profile.path, s, 1) * a
-    jerk = evaluate(profile.along, times, 3)
-    bends = _curve(profile.path, s, 3) * v * v + 3.0 * _curve(profile.path, s, 2) * a
-    return bends * v + _curve(profile.path, s, 1) * jerk
-
-
-def _curve(path: Profile, distances: Array, order: int) -> Array:
-    """Evaluate a curve at distances along it.
-
-    Before its beginning and beyond its end it is a straight line. Exactly at an end it has the curvature that it has
-    inside.
-    """
-    length = path.duration
-    if order == 2 and length < np.inf:
-        near = (distances >= -AT_END * length) & (distances <= length * (1.0 + AT_END))
-        distances = np.where(near, np.clip(distances, 0.0, np.nextafter(length, 0.0)), distances)
-    out = evaluate(path, distances, order)
-    before = distances < 0.0
-    if order == 0 and before.any():
-        out[before] = path.start + path.start_velocity * distances[before]
-    return out
-
-
-def _chain(profile: ProfileSequence, times: Array, order: int) -> Array:
-    out = np.empty_like(times)
-    owner = np.searchsorted(np.array(profile.begins), times, "right") - 1
-    for i in np.unique(owner).tolist():
-        mine = owner == i
-        out[mine] = evaluate(profile.segments[i], times[mine] - profile.begins[i], order)
-    return out

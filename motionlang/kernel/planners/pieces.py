@@ -1,16 +1,44 @@
-"""One piece of a curve: values, derivatives, extrema, and changes of its origin."""
+"""One piece of a curve: values, derivatives, extrema, and changes of its origin.
+
+A piece is a tuple of seven numbers (`ramps.py`), or a `Formula`.
+"""
 
 from __future__ import annotations
 
 from math import acos, copysign, cos, inf, pi, sin, sqrt
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 if TYPE_CHECKING:
-    from motionlang.kernel.planners.ramps import Piece
+    from motionlang.kernel.planners.ramps import Piece, Plain
+
+# Position, velocity, acceleration and jerk.
+State = tuple[float, float, float, float]
+
+
+class Formula:
+    """A piece that is neither a cubic nor a half wave (`formula.py`)."""
+
+    __slots__ = ()
+
+    def state(self, x: float) -> State:
+        """Return position, velocity, acceleration and jerk at local time x."""
+        raise NotImplementedError
+
+    def roots(self, order: int, duration: float) -> tuple[float, ...]:
+        """Return the local times inside (0, duration) at which derivative `order` is zero."""
+        raise NotImplementedError
+
+    def recentred(self, x: float) -> Piece:
+        raise NotImplementedError
+
+    def transformed(self, factor: float, before: float, after: float) -> Piece:
+        raise NotImplementedError
 
 
 def position_in(piece: Piece, x: float) -> float:
     """Return the position at local time x of a piece."""
+    if not isinstance(piece, tuple):
+        return piece.state(x)[0]
     c0, c1, c2, c3, amplitude, omega, phase = piece
     p = ((c3 * x + c2) * x + c1) * x + c0 if x != 0.0 else c0
     return p + amplitude * sin(omega * x + phase) if amplitude else p
@@ -18,6 +46,8 @@ def position_in(piece: Piece, x: float) -> float:
 
 def velocity_in(piece: Piece, x: float) -> float:
     """Return the velocity at local time x of a piece."""
+    if not isinstance(piece, tuple):
+        return piece.state(x)[1]
     _, c1, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         return c1 + amplitude * omega * cos(omega * x + phase)
@@ -26,6 +56,8 @@ def velocity_in(piece: Piece, x: float) -> float:
 
 def acceleration_in(piece: Piece, x: float) -> float:
     """Return the acceleration at local time x of a piece."""
+    if not isinstance(piece, tuple):
+        return piece.state(x)[2]
     _, _, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         return -amplitude * omega * omega * sin(omega * x + phase)
@@ -34,10 +66,19 @@ def acceleration_in(piece: Piece, x: float) -> float:
 
 def jerk_in(piece: Piece, x: float) -> float:
     """Return the jerk at local time x of a piece."""
+    if not isinstance(piece, tuple):
+        return piece.state(x)[3]
     _, _, _, c3, amplitude, omega, phase = piece
     if amplitude:
         return -amplitude * omega * omega * omega * cos(omega * x + phase)
     return 6.0 * c3
+
+
+def all_in(piece: Piece, x: float) -> State:
+    """Return position, velocity, acceleration and jerk at local time x of a piece."""
+    if not isinstance(piece, tuple):
+        return piece.state(x)
+    return position_in(piece, x), velocity_in(piece, x), acceleration_in(piece, x), jerk_in(piece, x)
 
 
 def still_points(piece: Piece, duration: float) -> tuple[float, ...]:
@@ -45,6 +86,8 @@ def still_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
     They are in order.
     """
+    if not isinstance(piece, tuple):
+        return piece.roots(1, duration)
     _, c1, c2, c3, amplitude, omega, phase = piece
     if amplitude:
         cosine = -c1 / (amplitude * omega)
@@ -59,6 +102,8 @@ def even_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
     A half wave has none.
     """
+    if not isinstance(piece, tuple):
+        return piece.roots(2, duration)
     _, _, c2, c3, amplitude, _, _ = piece
     if amplitude or c3 == 0.0:
         return ()
@@ -70,15 +115,23 @@ def crest_points(piece: Piece, duration: float) -> tuple[float, ...]:
 
     Only sine pieces have any.
     """
+    if not isinstance(piece, tuple):
+        return piece.roots(3, duration)
     _, _, _, _, amplitude, omega, phase = piece
     return _inside(duration, (0.5 * pi - phase) / omega) if amplitude else ()
 
 
+@overload
+def recentred(piece: Plain, x: float) -> Plain: ...
+@overload
+def recentred(piece: Piece, x: float) -> Piece: ...
 def recentred(piece: Piece, x: float) -> Piece:
     """Return the same curve with local time counted from x."""
-    c0, c1, c2, c3, amplitude, omega, phase = piece
     if x == 0.0:
         return piece
+    if not isinstance(piece, tuple):
+        return piece.recentred(x)
+    c0, c1, c2, c3, amplitude, omega, phase = piece
     p = ((c3 * x + c2) * x + c1) * x + c0
     v = (3.0 * c3 * x + 2.0 * c2) * x + c1
     return (p, v, 3.0 * c3 * x + c2, c3, amplitude, omega, phase + omega * x)
@@ -86,6 +139,8 @@ def recentred(piece: Piece, x: float) -> Piece:
 
 def transformed(piece: Piece, factor: float, before: float, after: float) -> Piece:
     """Map position `before` to `after` exactly, and scale distances by `factor`."""
+    if not isinstance(piece, tuple):
+        return piece.transformed(factor, before, after)
     c0, c1, c2, c3, amplitude, omega, phase = piece
     return (
         (c0 - before) * factor + after,

@@ -9,8 +9,8 @@ from __future__ import annotations
 from math import cos, inf, pi
 
 from motionlang.kernel.planners.curve import Profile, from_curve, relabelled
-from motionlang.kernel.planners.pieces import acceleration_in, position_in, recentred, velocity_in
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners.pieces import acceleration_in, jerk_in, position_in, recentred, velocity_in
+from motionlang.kernel.planners.ramps import Piece, Plain
 from motionlang.kernel.planners.stop import plan_stop
 from motionlang.kernel.planners.transition import NOTHING
 
@@ -28,10 +28,13 @@ def residual_ramp_down(profile: Profile, time: float) -> Profile | None:
 
     None if there is no acceleration, or no flank that reduces it.
     """
-    if not (profile.pieced and 0.0 <= time < profile.duration):
+    if profile.on_curve or not (0.0 <= time < profile.duration and profile.pieced):
         return None
     i = profile._index(time)
     piece = recentred(profile.pieces[i], time - profile.knots[i])
+    phase = [name for name, first in profile.curve[2] if first <= i][-1:]
+    if not isinstance(piece, tuple) or phase == ["slew"]:  # the acceleration is that of a curve
+        return None
     found = _on_wave(piece) if piece[4] else _on_slope(profile, i, piece)
     if found is None:
         return None
@@ -118,7 +121,7 @@ def _rest_ahead(profile: Profile, time: float, decel: float) -> Profile | None:
     return planned if planned.peak_acceleration <= decel * (1.0 + _SLACK) else None
 
 
-def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
+def _on_wave(piece: Plain) -> tuple[Piece, float] | None:
     """Return a half wave from where it has the same acceleration and falls.
 
     The second item is the duration of that flank.
@@ -133,7 +136,7 @@ def _on_wave(piece: Piece) -> tuple[Piece, float] | None:
     return (start, *moved[1:]), (pi - later) / omega
 
 
-def _on_slope(profile: Profile, index: int, piece: Piece) -> tuple[Piece, float] | None:
+def _on_slope(profile: Profile, index: int, piece: Plain) -> tuple[Piece, float] | None:
     """Return the cubic that ramps the acceleration down at the jerk of this ramp.
 
     The second item is its duration.
@@ -141,10 +144,10 @@ def _on_slope(profile: Profile, index: int, piece: Piece) -> tuple[Piece, float]
     position, velocity, half, _, _, _, _ = piece
     if not half:
         return None
-    slope = profile.pieces[index][3]
+    slope = jerk_in(profile.pieces[index], 0.0) / 6.0
     if not slope:  # constant: the flank follows
-        following = profile.pieces[index + 1 : index + 2]
-        slope = following[0][3] if following and not following[0][4] else 0.0
+        following = next(iter(profile.pieces[index + 1 : index + 2]), None)
+        slope = following[3] if isinstance(following, tuple) and not following[4] else 0.0
         if slope * half >= 0.0:
             return None
     slope = -abs(slope) if half > 0.0 else abs(slope)

@@ -13,12 +13,20 @@ inside one half wave, 0 <= omega x + phase <= pi.
 from __future__ import annotations
 
 from math import inf, pi
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    from motionlang.kernel.planners.pieces import Formula
 
 # Ramps of a velocity: v0, T1, kind1, v1 and so on.
 Recipe = tuple[float, ...]
-# One polynomial or sine of a profile.
-Piece = tuple[float, float, float, float, float, float, float]
-Curve = tuple[tuple[float, ...], tuple[Piece, ...], tuple[tuple[str, int], ...]]
+# One polynomial or sine of a profile, and any piece.
+Plain = tuple[float, float, float, float, float, float, float]
+Marks = tuple[tuple[str, int], ...]
+Piece: TypeAlias = "Plain | Formula"
+# Knots, pieces, and the first piece of each phase.
+Curve: TypeAlias = "tuple[tuple[float, ...], tuple[Piece, ...], Marks]"
+PlainCurve = tuple[tuple[float, ...], tuple[Plain, ...], Marks]
 
 # Acceleration A sin(pi t/T): TN1069's sinusoidal S-curve.
 SINE = -1.0
@@ -44,14 +52,14 @@ def ramp_distance(v_from: float, duration: float, kind: float, v_to: float) -> f
     return 0.5 * (v_from + v_to) * duration
 
 
-def expand(start: float, recipe: Recipe) -> Curve:
+def expand(start: float, recipe: Recipe) -> PlainCurve:
     """Return knots, pieces and phase marks of a recipe that begins at `start`.
 
     A mark is the name of a phase and the index of its first piece.
     """
     time = 0.0
     knots = [0.0]
-    pieces: list[Piece] = []
+    pieces: list[Plain] = []
     marks: list[tuple[str, int]] = []
     for i in range(0, len(recipe) - 1, 3):
         v_from, duration, kind, v_to = recipe[i : i + 4]
@@ -91,7 +99,7 @@ def _name(v_from: float, v_to: float, last: bool) -> str:
 
 
 def _add_ramp(
-    knots: list[float], pieces: list[Piece], time: float, p: float, ramp: tuple[float, float, float, float]
+    knots: list[float], pieces: list[Plain], time: float, p: float, ramp: tuple[float, float, float, float]
 ) -> None:
     v_from, duration, kind, v_to = ramp
     change = v_to - v_from
@@ -113,7 +121,7 @@ def _add_ramp(
 
 
 def _add_trapezoidal(
-    knots: list[float], pieces: list[Piece], time: float, p: float, ramp: tuple[float, float, float, float]
+    knots: list[float], pieces: list[Plain], time: float, p: float, ramp: tuple[float, float, float, float]
 ) -> None:
     """Add the pieces of a ramp with trapezoidal acceleration.
 

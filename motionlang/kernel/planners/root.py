@@ -30,3 +30,23 @@ def bracketed_root(f: Callable[[float], tuple[float, float]], low: float, high: 
         before = abs(following - x)
         x = following
     return x
+
+
+def summit(value: Callable[[float], float], low: float, high: float) -> float:
+    """Return the argument at which a function with one maximum is largest.
+
+    The search is by golden section.
+    """
+    share = 0.6180339887498949
+    a, b = high - share * (high - low), low + share * (high - low)
+    y_a, y_b = value(a), value(b)
+    for _ in range(34):
+        if y_a > y_b:
+            high, b, y_b = b, a, y_a
+            a = high - share * (high - low)
+            y_a = value(a)
+        else:
+            low, a, y_a = a, b, y_b
+            b = low + share * (high - low)
+            y_b = value(b)
+    return a if y_a > y_b else b

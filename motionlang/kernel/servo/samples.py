@@ -26,12 +26,12 @@ def rests_as_seen(track: Demanded) -> bool:
         return False
     before, after = track.profiles[-2:]
     return (
-        before.pieced
-        and after.shape == "hold"
+        after.shape == "hold"
         and after.duration == inf
         and before.end_velocity == 0.0
         and before.end == after.start
         and track.starts[-1] - track.starts[-2] >= before.duration - _AT_ONCE
+        and before.pieced
     )
 
 

@@ -51,10 +51,11 @@ def _column(profile: Profile, title: str) -> list[Panel]:
 
 def _curve(profile: Profile, order: int) -> tuple[list[float], list[float]]:
     """Return the points of each piece, with both ends, so that jumps are vertical."""
-    per_piece = max(2, min(60, POINTS // max(1, len(profile.pieces))))
+    knots, pieces, _ = profile.drawn
+    per_piece = max(2, min(60, POINTS // max(1, len(pieces))))
     xs: list[float] = []
     ys: list[float] = []
-    for piece, (begin, finish) in zip(profile.pieces, pairwise(profile.knots), strict=True):
+    for piece, (begin, finish) in zip(pieces, pairwise(knots), strict=True):
         x = np.linspace(0.0, finish - begin, per_piece)
         c0, c1, c2, c3 = piece[:4]
         y = (

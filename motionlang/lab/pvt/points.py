@@ -135,7 +135,7 @@ def knots(profile: Profile) -> list[Knot]:
 
     A cubic ends at the given velocity, with which the next cubic begins: there it is exact.
     """
-    times, pieces = profile.knots, profile.pieces
+    times, pieces, _ = profile.drawn
     table = []
     for i, time in enumerate(times):
         if i < len(pieces):

@@ -26,7 +26,7 @@ def arrives(made: Profile) -> bool:
     if not made.pieces:
         return True
     x = made.knots[-1] - made.knots[-2]
-    c0, c1, c2, c3, amplitude, omega, phase = made.pieces[-1]
+    c0, c1, c2, c3, amplitude, omega, phase = made.drawn[1][-1]
     end = c0 + x * (c1 + x * (c2 + x * c3)) + amplitude * math.sin(omega * x + phase)
     low, high = made.extrema()
     return abs(end - made.end) <= 1e-6 * max(abs(low), abs(high), 1e-40)  # shorter distances are rest

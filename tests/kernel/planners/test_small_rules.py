@@ -10,16 +10,15 @@ import pytest
 
 from motionlang.commands.plan.reach import remedies
 from motionlang.commands.plan.solve import solve_move
-from motionlang.kernel.planners import MotionState, Profile, from_curve, plan, plan_trapezoid, plan_velocity
+from motionlang.kernel.planners import Profile, plan, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.arc import arc_over, line_over
-from motionlang.kernel.planners.cubics import _fit, cubics
+from motionlang.kernel.planners.cubics import _fitted, cubics
 from motionlang.kernel.planners.limits import LARGEST, SMALLEST
 from motionlang.kernel.planners.lookahead import PathPace, plan_course
 from motionlang.kernel.planners.ramps import MOMENT
-from motionlang.kernel.planners.reparametrised import knot_distances
 from motionlang.kernel.planners.segment_speed import _farthest, between, entry_speed, exit_speed
 from motionlang.kernel.planners.shapes import peak_from_rest, ramps_of
-from motionlang.kernel.planners.superposition import Superposed, added
+from motionlang.kernel.planners.superposition import added
 from motionlang.kernel.planners.table_motion import spline_slopes
 from motionlang.kernel.planners.target import finish
 from tests.kernel.planners.cases import plan_jerk
@@ -27,7 +26,6 @@ from tests.kernel.planners.cases import plan_jerk
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from motionlang.kernel.planners import Piece
 
 LIMITS = (200.0, 400.0, 400.0)
 MOVE = plan_trapezoid(0.0, 100.0, *LIMITS)
@@ -88,11 +86,11 @@ def test_a_ramp_that_never_ends_is_a_move_too_large() -> None:
 
 def test_a_wave_is_added_to_one_without_height() -> None:
     wave = plan("sinusoidal", 0.0, 100.0, *LIMITS)
-    assert wave.pieces[0][4]
+    assert wave.drawn[1][0][4]
     both = added(wave.scaled(0.0, 0.0), wave, "sum")
     time = 0.3 * wave.knots[1]
     assert both.position(time) == pytest.approx(wave.position(time), rel=1e-12)
-    assert both.position(time) != pytest.approx(wave.pieces[0][1] * time)
+    assert both.position(time) != pytest.approx(wave.drawn[1][0][1] * time)
 
 
 @pytest.mark.parametrize("time", [0.1, 0.2, 0.4, 0.75])
@@ -107,12 +105,6 @@ def test_the_rest_of_a_sum_begins_where_the_sum_is(time: float) -> None:
     for later in (0.0, 0.05, 0.2):
         assert rest.position(later) == pytest.approx(total.position(time + later), rel=1e-12)
         assert rest.velocity(later) == pytest.approx(total.velocity(time + later), rel=1e-9)
-
-
-def test_a_curve_has_no_turning_points_beyond_its_pieces() -> None:
-    pieces = ((0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0), (1.0, 1.0, -0.25, 0.0, 0.0, 0.0, 0.0))
-    curve = ((0.0, 1.0, 2.0), pieces, (("segment", 0),))  # the second would reverse at 3
-    assert knot_distances(from_curve("table", 0.0, 1.75, curve, 1.0, 0.5)) == [0.0, 1.0, 2.0]
 
 
 def test_a_move_from_rest_takes_numbers_that_add_up_to_the_largest() -> None:
@@ -235,8 +227,8 @@ def test_an_axis_of_an_arc_consists_of_half_waves(name: str) -> None:
     assert made.end == end
     assert (made.start_velocity, made.end_velocity) == pytest.approx((slope, last_slope), abs=1e-12)
     assert made.knots == pytest.approx(knots)
-    assert [piece[:4] for piece in made.pieces] == [(5.0, 0.0, 0.0, 0.0)] * len(waves)
-    assert [piece[4:] for piece in made.pieces] == [pytest.approx(wave, abs=1e-12) for wave in waves]
+    assert [piece[:4] for piece in made.drawn[1]] == [(5.0, 0.0, 0.0, 0.0)] * len(waves)
+    assert [piece[4:] for piece in made.drawn[1]] == [pytest.approx(wave, abs=1e-12) for wave in waves]
 
 
 @pytest.mark.parametrize("angle", [pi, -pi, 2.0 * pi, 0.0])
@@ -273,7 +265,7 @@ def test_a_sum_of_cubics_is_drawn_as_their_sums() -> None:
     """Each piece fits at once, so there are no knots but those of both motions."""
     first = plan_jerk(0.0, 100.0, *LIMITS, 2000.0, 2000.0)
     second = plan_trapezoid(5.0, 45.0, 50.0, 100.0, 100.0)
-    knots, pieces, marks = cubics(Superposed(first, second, "sum"))
+    knots, pieces, marks = cubics(added(first, second, "sum"))
     wanted = sorted({*first.knots, *second.knots})
     assert list(knots) == pytest.approx(wanted)
     assert marks == (("sum", 0),)
@@ -294,7 +286,7 @@ def test_a_sum_of_cubics_is_drawn_as_their_sums() -> None:
 def test_a_sum_without_an_end_is_drawn_with_its_last_velocity() -> None:
     """At 0.5 s the jog is at 100 * 0.5²/2 and 50 per second."""
     jog = plan_velocity("trapezoid", 0.0, 0.0, 50.0, 100.0, 100.0)
-    knots, pieces, _ = cubics(Superposed(jog, jog, "sum"))
+    knots, pieces, _ = cubics(added(jog, jog, "sum"))
     assert knots == (0.0, 0.5, inf)
     assert pieces[0][:4] == pytest.approx((0.0, 0.0, 100.0, 0.0), abs=1e-6)
     assert pieces[1] == pytest.approx((25.0, 100.0, 0.0, 0.0, 0.0, 0.0, 0.0))
@@ -306,8 +298,8 @@ def test_a_known_end_replaces_that_of_the_pieces() -> None:
     assert (made.start, made.end, made.duration, made.shape) == (0.0, end, MOVE.duration, "trapezoid")
     assert made.curve == MOVE.curve
     assert MOVE.ending_at(MOVE.end) is MOVE
-    both = Superposed(MOVE, MOVE, "sum")
-    assert both.ending_at(end) is both
+    both = added(MOVE, MOVE, "sum")
+    assert both.ending_at(end).end == end
 
 
 Phases = list[tuple[str, float, float]]
@@ -383,12 +375,13 @@ def test_a_move_that_begins_with_an_acceleration(name: str, sign: float) -> None
 
 def test_a_bend_that_no_cubic_has_is_halved_so_often() -> None:
     """The bend at 0.3 is in the first half, the second quarter, and the third eighth."""
-    bent: Any = SimpleNamespace(at=lambda t: MotionState(abs(t - 0.3), 1.0 if t > 0.3 else -1.0, 0.0, 0.0))
-    knots: list[float] = []
-    pieces: list[Piece] = []
-    _fit(bent, (0.0, 1.0), (bent.at(0.0), bent.at(1.0)), 1e-9, knots, pieces, 3)
-    assert knots == [0.25, 0.375, 0.5, 1.0]
-    assert len(pieces) == 4
+
+    def state(t: float) -> tuple[float, float, float, float]:
+        return abs(t - 0.3), 1.0 if t > 0.3 else -1.0, 0.0, 0.0
+
+    bent: Any = SimpleNamespace(state=state)
+    found = list(_fitted(bent, 0.0, 1.0, (state(0.0), state(1.0)), 1e-9, 3))
+    assert [end for end, _ in found] == [0.25, 0.375, 0.5, 1.0]
 
 
 @pytest.mark.parametrize("shape", ["trapezoid", "sinusoidal", "parabolic", "scurve"])

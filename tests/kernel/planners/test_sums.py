@@ -11,7 +11,7 @@ import pytest
 
 from motionlang.kernel.planners import Profile, from_curve, hold, plan, plan_trapezoid, plan_velocity
 from motionlang.kernel.planners.evaluate import evaluate
-from motionlang.kernel.planners.superposition import Superposed, added
+from motionlang.kernel.planners.superposition import added
 from tests.kernel.planners.cases import plan_jerk
 
 MOTIONS: dict[str, Profile] = {
@@ -43,7 +43,7 @@ def test_a_sum_has_the_positions_and_velocities_of_both(one: str, other: str) ->
         (p, v), (q, w) = continued(first, time), continued(second, time)
         return pytest.approx(p + q, abs=1e-9), pytest.approx(v + w, abs=1e-9)
 
-    for made in (added(first, second, "sum"), Superposed(first, second, "sum")):
+    for made in (added(first, second, "sum"),):
         assert (made.shape, made.duration) == ("sum", max(first.duration, second.duration))
         assert (made.start, made.start_velocity) == (
             first.start + second.start, first.start_velocity + second.start_velocity,
@@ -77,7 +77,7 @@ def test_many_times_at_once_have_the_values_of_each(name: str) -> None:
     times = np.array([-1.0, *TIMES, *(knot + 1e-6 for knot in profile.knots if knot < inf)])
     times.sort()
     inside = [0.0 <= time < profile.duration for time in times.tolist()]
-    for each in (profile, Superposed(profile, hold(0.0), "sum")):
+    for each in (profile, added(profile, hold(0.0), "sum")):
         before = each.start, each.start_velocity
         states = [before if time < 0.0 else continued(profile, time) for time in times.tolist()]
         assert evaluate(each, times, 0).tolist() == pytest.approx([state[0] for state in states])

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from motionlang.kernel.planners import Piece, Profile
+from motionlang.kernel.planners import Plain, Profile
 
 SMOOTH = frozenset({"sinusoidal", "scurve"})
 """Shapes that promise an acceleration without jumps."""
@@ -30,7 +30,7 @@ def verify(
     Tolerances are relative to the profile's own size. A start faster than `speed` is allowed until it has
     braked.
     """
-    spans = [_Span(*item) for item in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False)]
+    spans = [_Span(*item) for item in zip(profile.drawn[1], profile.knots, profile.knots[1:], strict=False)]
     scale = _scales(profile, spans)
     bounds = {"speed": speed, "acceleration": accel, "deceleration": decel, "jerk": jerk}
     return [
@@ -44,7 +44,7 @@ def verify(
 class _Span:
     """A piece with its times, and its derivatives evaluated by NumPy."""
 
-    def __init__(self, piece: Piece, begin: float, finish: float) -> None:
+    def __init__(self, piece: Plain, begin: float, finish: float) -> None:
         self.begin = begin
         self.length = finish - begin if math.isfinite(finish) else 1.0
         self.poly = [np.polynomial.Polynomial(piece[:4]).deriv(order) for order in range(5)]

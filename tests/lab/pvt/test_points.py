@@ -34,7 +34,7 @@ def moves(draw: st.DrawFn) -> list[Point]:
 def test_the_cubic_of_the_note() -> None:
     p0, v0, pt, vt, t = 100.0, 2000.0, 400.0, -1000.0, 0.1
     profile = plan_pvt((p0, pt), (v0, vt), (t,))
-    piece = profile.pieces[0]
+    piece = profile.drawn[1][0]
     b2 = 3 * (pt - p0) / t**2 - (2 * v0 + vt) / t
     b3 = (vt + v0) / t**2 + 2 * (p0 - pt) / t**3
     assert piece[:4] == pytest.approx((p0, v0, b2, b3))

@@ -109,7 +109,7 @@ class FollowMove(LoggedMove):
 
     def _sequence(self, segments: list[tuple[float, Profile]]) -> Profile:
         cuts = [profile.cut(finish - start) for (start, profile), (finish, _) in pairwise(segments)]
-        return ProfileSequence(self.shape, [*cuts, segments[-1][1]], self.shape)
+        return ProfileSequence(self.shape, [*cuts, segments[-1][1]])
 
 
 class Follow(Action):
@@ -441,7 +441,9 @@ class Gear(Follow):
         sign = 1.0 if want > have else -1.0
         chase = _ramp(position, have, sign, accel, decel)
         gap = added(wanted, chase.scaled(0.0, -1.0), "gap")
-        meets = gap.velocity_crossing(0.0)
+        # The velocity of a master may also jump past that of its slave, at a knot.
+        found = [knot for knot in gap.knots[1:-1] if gap.velocity(knot) * sign < 0.0]
+        meets = min((time for time in (gap.velocity_crossing(0.0), *found) if time is not None), default=None)
         if meets is None:
             words = f"axis {self.a.index} cannot ramp to {want:.10g} counts/s, the speed of its master"
             raise Rejected("range", words, "raise its rates, or lower the ratio")

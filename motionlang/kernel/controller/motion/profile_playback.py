@@ -16,7 +16,6 @@ from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import continue_with, empty, run_profile
 from motionlang.kernel.controller.queue.stop import Stopping
 from motionlang.kernel.controller.queue.track import end_move
-from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile, hold, plan_stop, plan_velocity
 from motionlang.kernel.planners.curve import relabelled
@@ -97,8 +96,6 @@ class Playback(Action):
         if self._is_paced and isinstance(last, Reparametrised):
             path = last.path.shifted(last.lift) if last.lift else last.path
             return path, last.along.position(elapsed), last.along.velocity(elapsed)
-        if not last.pieced:
-            raise Rejected("moving", f"axis {a.index} follows a profile that cannot be suspended")
         return last.after(elapsed), 0.0, 1.0
 
     def segments_left(self, a: Axis) -> int:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import acos, atan2, cos, degrees, hypot, inf, pi, radians, sin, sqrt
 from typing import TypeVar
 
@@ -237,20 +238,22 @@ def _bend(curve: Profile) -> tuple[float, float]:
     """
     slope = bend = 0.0
     angles: list[float] = []
-    for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):
-        _, _, _, _, amplitude, omega, phase = piece
-        if amplitude:
-            last = phase + omega * (finish - begin)
-            inside = [0.5 * pi] if phase < 0.5 * pi < last else []
-            angles += [phase, *inside, last]
-            slope = max(slope, *(abs(cos(angle)) for angle in (phase, *inside, last)))
-            bend = max(bend, *(abs(sin(angle)) for angle in (phase, *inside, last)))
-    if not bend:
+    waves = [
+        (piece[4:], finish - begin)
+        for piece, (begin, finish) in zip(curve.pieces, pairwise(curve.knots), strict=True)
+        if isinstance(piece, tuple) and piece[4]
+    ]
+    if not waves:
         return 0.0, 1.0
+    for (_, omega, phase), span in waves:
+        last = phase + omega * span
+        inside = [0.5 * pi] if phase < 0.5 * pi < last else []
+        angles += [phase, *inside, last]
+        slope = max(slope, *(abs(cos(angle)) for angle in (phase, *inside, last)))
+        bend = max(bend, *(abs(sin(angle)) for angle in (phase, *inside, last)))
     both = atan2(slope, bend)
-    for piece, begin, finish in zip(curve.pieces, curve.knots, curve.knots[1:], strict=False):
-        last = piece[6] + piece[5] * (finish - begin)
-        angles += [angle for angle in (both, pi - both) if piece[6] < angle < last]
+    for (_, omega, phase), span in waves:
+        angles += [angle for angle in (both, pi - both) if phase < angle < phase + omega * span]
     worst = max(abs(cos(x)) / slope + abs(sin(x)) / bend for x in angles)  # the cosine of no float is 0
-    _, _, _, _, amplitude, omega, _ = curve.pieces[0]
+    (amplitude, omega, _), _ = waves[0]
     return abs(amplitude) * omega * omega * bend, 1.0 / worst

@@ -8,7 +8,7 @@ from math import inf
 from motionlang.kernel.planners.curve import Profile, from_curve
 from motionlang.kernel.planners.limits import check_finite, check_positive, too_large
 from motionlang.kernel.planners.pieces import velocity_in
-from motionlang.kernel.planners.ramps import Piece
+from motionlang.kernel.planners.ramps import Piece, Plain
 
 
 def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times: Sequence[float]) -> Profile:
@@ -39,7 +39,7 @@ def plan_pvt(points: Sequence[float], velocities: Sequence[float | None], times:
     return from_curve("pvt", points[0], points[-1], curve, first, velocities[-1] or 0.0)
 
 
-def pvt_piece(p0: float, v0: float, p1: float, v1: float | None, time: float) -> Piece:
+def pvt_piece(p0: float, v0: float, p1: float, v1: float | None, time: float) -> Plain:
     """Return the piece of one segment: linear if `v1` is None, or Copley's cubic.
 
     b0 = P0, b1 = V0, b2 = 3 (PT - P0)/T^2 - (2 V0 + VT)/T, b3 = (VT + V0)/T^2 + 2 (P0 - PT)/T^3.

@@ -11,6 +11,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang.kernel import Controller, Rejected
+from motionlang.kernel.planners import plan_pvt
 from tests.cases import cases
 from tests.kernel.controller.machines import cam, machine, offset, until
 
@@ -360,6 +361,29 @@ def test_a_slave_that_leaves_its_master_completes_its_offset(
     assert ended or c.position(1) == pytest.approx(15.0)
 
 
+def test_a_slave_that_leaves_the_master_of_its_arc_can_be_suspended() -> None:
+    """The arc of 10 π takes 3.24 s, and the suspension 0.5: its ramps cover half of their 0.2 s."""
+    c = machine(3, suspend_time=0.2)
+    c.load_arc([0, 1], (10.0, 0.0), 180.0)
+    c.gear(2, 0, 0.5)
+    c.go([0])
+    until(c, 1.0).leave_master(2)
+    c.suspend(2)
+    until(c, 1.5)
+    assert (speed(c, 2, 1.5), c.position(0) > 2.0 * c.position(2)) == (0.0, True)
+    c.resume(2)
+    assert c.idle_time(2) == pytest.approx(0.1 + math.pi + 0.5)
+    assert until(c, 9.0).position(2) == pytest.approx(10.0)
+
+
+def test_a_slave_locks_where_the_velocity_of_its_master_jumps_past_its_own() -> None:
+    """The slave has reached 8 as the master turns from 10 to -10 at 1 s."""
+    c = machine(accel=8.0)
+    c.play(0, plan_pvt((0.0, 10.0, 0.0), (), (1.0, 1.0)))
+    c.gear(1, 0, 1.0, ramp=True)
+    assert until(c, 2.0).position(1) == pytest.approx(4.0 - 10.0)
+
+
 def test_a_slave_that_has_left_its_master_needs_a_deceleration_to_stop() -> None:
     c = machine()
     c.gear(1, 0, 0.5)
@@ -438,3 +462,19 @@ def test_a_slave_that_returns_to_where_it_is_does_not_rest() -> None:
     assert not a.is_at_standstill
     until(c, 9.0)
     assert (a.is_at_standstill, c.is_idle(1)) == (True, False)
+
+
+def test_a_slave_of_an_arc_stops_at_its_own_rate() -> None:
+    """At uniform speed on an arc the motion of the master is a wave, but not a ramp of the slave."""
+    c = machine(3)
+    for a in c.axes.values():
+        a.speed, a.accel, a.decel, a.shape = 20.0, 50.0, 50.0, "sinusoidal"
+    c.load_arc([0, 1], [10.0, 0.0], 360.0, (), True)
+    c.gear(2, 0, 1.0)
+    c.go([0])
+    until(c, 0.9).stop(2)
+    velocity = speed(c, 2, 0.9)
+    until(c, 8.0)
+    assert at(c, 2, 8.0) - at(c, 2, 0.9) == pytest.approx(
+        0.5 * velocity * velocity / (50.0 / (0.5 * math.pi))
+    )

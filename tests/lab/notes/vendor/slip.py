@@ -12,7 +12,7 @@ from itertools import pairwise
 from math import asin, pi
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.planners import Piece, Profile, acceleration_in, check_positive, crest_points
+from motionlang.kernel.planners import Plain, Profile, acceleration_in, check_positive, crest_points
 from tests.lab.notes.vendor.dissect import slip_acceleration
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def check_profile(profile: Profile, friction: float, gravity: float, scale: floa
     most = limit * scale * (1.0 + _EPSILON)
     spans: list[tuple[float, float]] = []
     peak = peak_time = 0.0
-    for piece, begin, end in zip(profile.pieces, profile.knots, profile.knots[1:], strict=False):
+    for piece, begin, end in zip(profile.drawn[1], profile.knots, profile.knots[1:], strict=False):
         length = end - begin
         for x in (0.0, *crest_points(piece, length), length):
             value = abs(acceleration_in(piece, x))
@@ -104,7 +104,7 @@ def _slid(velocities: list[float], reach: float, period: float) -> float:
     return total
 
 
-def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]:
+def _beyond(piece: Plain, span: float, most: float) -> list[tuple[float, float]]:
     """Return the local spans in which a piece's acceleration exceeds `most` in size."""
     marks = [0.0, *sorted(x for x in _levels(piece, most) if 0.0 < x < span), span]
     found = []
@@ -114,7 +114,7 @@ def _beyond(piece: Piece, span: float, most: float) -> list[tuple[float, float]]
     return found
 
 
-def _levels(piece: Piece, most: float) -> list[float]:
+def _levels(piece: Plain, most: float) -> list[float]:
     """Return the local times at which the acceleration is `most` or -`most`.
 
     A sine piece lies within one half wave.
