@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 from motionlang.kernel.planners.curve import Profile, from_curve
+from motionlang.kernel.planners.pvt.velocities import smooth_velocities
 
 
 def table_curve(positions: Sequence[float], values: Sequence[float]) -> Profile:
@@ -29,18 +30,15 @@ def spline_slopes(widths: Sequence[float], rises: Sequence[float], cyclic: bool)
     """Return the slopes of a cubic spline with continuous curvature.
 
     Its end slopes are zero, or equal if it is `cyclic`.
-
-    m[i-1]/h[i-1] + 2 m[i] (1/h[i-1] + 1/h[i]) + m[i+1]/h[i] = 3 (r[i-1]/h[i-1] + r[i]/h[i]).
     """
-    still = [0.0, *_inner(widths, rises, 0.0), 0.0]
+    points = [0.0, *accumulate(h * r for h, r in zip(widths, rises, strict=True))]
+    still = smooth_velocities(points, widths)
     if not cyclic:
         return still
     # The slope at the seam is free. The curvature there is linear in it, so two solutions give the third.
-    flat = [0.0] * len(widths)
-    unit = [1.0, *_inner(widths, flat, 1.0), 1.0]
-    jump = _seam(widths, rises, still)
-    change = _seam(widths, flat, unit)
-    seam = -jump / change
+    flat = [0.0] * len(points)
+    unit = smooth_velocities(flat, widths, 1.0, 1.0)
+    seam = -_seam(widths, rises, still) / _seam(widths, flat, unit)
     return [a + seam * b for a, b in zip(still, unit, strict=True)]
 
 
@@ -49,26 +47,3 @@ def _seam(widths: Sequence[float], rises: Sequence[float], slopes: Sequence[floa
     after = (3.0 * rises[0] - 2.0 * slopes[0] - slopes[1]) / widths[0]
     before = (slopes[-2] + 2.0 * slopes[-1] - 3.0 * rises[-1]) / widths[-1]
     return after - before
-
-
-def _inner(widths: Sequence[float], rises: Sequence[float], end: float) -> list[float]:
-    """Return the slopes between two ends with one slope, by tridiagonal elimination."""
-    diagonal: list[float] = []
-    right: list[float] = []
-    for i, (h, k) in enumerate(pairwise(widths)):
-        d = 2.0 * (1.0 / h + 1.0 / k)
-        r = 3.0 * (rises[i] / h + rises[i + 1] / k)
-        if i == 0:
-            r -= end / h
-        else:
-            factor = 1.0 / h / diagonal[-1]
-            d -= factor / h
-            r -= factor * right[-1]
-        diagonal.append(d)
-        right.append(r)
-    found: list[float] = []
-    following = end
-    for i in range(len(diagonal) - 1, -1, -1):
-        following = (right[i] - following / widths[i + 1]) / diagonal[i]
-        found.append(following)
-    return found[::-1]
