@@ -38,21 +38,8 @@ def position_crossing(profile: Profile, position: float, after: float) -> float 
     after = max(after, 0.0)
     knots, pieces, _ = profile.curve
     first = max(bisect_left(knots, after) - 1, 0)
-    direction = profile.direction
-    if direction and first < len(pieces):
-        # Without a reversal, only the piece that contains the position needs a search.
-        here = position_in(pieces[first], max(after - knots[first], 0.0))
-        margin = _MARGIN * (abs(position) + abs(here) + abs(profile.start))
-        if (here - position) * direction > margin:
-            return None
-        if (position - profile.end) * direction > margin and not profile.end_velocity:
-            return None
-        while (
-            first + 1 < len(pieces) and (position - position_in(pieces[first + 1], 0.0)) * direction > margin
-        ):
-            first += 1
     how = (position_in, velocity_in, still_points)
-    found = _first(profile, position, after, how, profile.end, first, not direction)
+    found = _first(profile, position, after, how, profile.end, first, True)
     if found is not None:
         return found
     return _after_the_end(profile, position, after)

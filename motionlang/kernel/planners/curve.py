@@ -173,12 +173,14 @@ class Profile:
         try:
             return self._curve
         except AttributeError:
-            if self._recipe is _AT_REST:
-                piece = (self.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-                self._curve = (0.0, self.duration), (piece,), (("hold", 0),)
-            else:
-                self._curve = _ending_at(expand(self.start, self._recipe), self.start, self.duration)
+            self._curve = self._made()
             return self._curve
+
+    def _made(self) -> Curve:
+        if self._recipe is _AT_REST:
+            piece = (self.start, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+            return (0.0, self.duration), (piece,), (("hold", 0),)
+        return _ending_at(expand(self.start, self._recipe), self.start, self.duration)
 
     @property
     def drawn(self) -> PlainCurve:

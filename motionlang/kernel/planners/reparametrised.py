@@ -42,14 +42,8 @@ class Reparametrised(Profile):
         recipe = rising * along.start_velocity, falling * along.end_velocity
         super().__init__(shape or along.shape, start + lift, end + lift, along.duration, recipe)
 
-    @property
-    def curve(self) -> Curve:
-        """Knots, pieces and phase marks, one for each section of the motion on one piece of the curve."""
-        try:
-            return self._curve
-        except AttributeError:
-            self._curve = _composed(self.along, self.path, self.lift)
-            return self._curve
+    def _made(self) -> Curve:
+        return _composed(self.along, self.path, self.lift)
 
     def piece_at(self, time: float) -> tuple[Piece, float]:
         """Return the piece in force at a time from 0 up to the duration, and the time since its knot.

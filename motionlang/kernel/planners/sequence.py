@@ -25,18 +25,12 @@ class ProfileSequence(Profile):
         ends = first.start_velocity, last.end_velocity
         super().__init__(shape, first.start, last.end, self.begins[-1], ends)
 
-    @property
-    def curve(self) -> Curve:
-        """The knots and pieces of all profiles."""
-        try:
-            return self._curve
-        except AttributeError:
-            knots, pieces = [0.0], list[Piece]()
-            for begin, segment in zip(self.begins, self.segments, strict=False):
-                knots += [begin + knot for knot in segment.knots[1:]]
-                pieces += segment.pieces
-            self._curve = tuple(knots), tuple(pieces), ((self.shape, 0),) if pieces else ()
-            return self._curve
+    def _made(self) -> Curve:
+        knots, pieces = [0.0], list[Piece]()
+        for begin, segment in zip(self.begins, self.segments, strict=False):
+            knots += [begin + knot for knot in segment.knots[1:]]
+            pieces += segment.pieces
+        return tuple(knots), tuple(pieces), ((self.shape, 0),) if pieces else ()
 
     @property
     def peak_speed(self) -> float:

@@ -325,20 +325,14 @@ class JerkLimited(Profile):
         self._tail = tail
         self._name = name
 
-    @property
-    def curve(self) -> Curve:
-        """Knots, pieces and phase marks."""
-        try:
-            return self._curve
-        except AttributeError:
-            v0, a0, steps, sign = self._head
-            head = profile_of_steps(self.start, v0, a0, steps, sign * self._tail[0], sign)
-            if self._name:
-                head = relabelled(head, "scurve", self._name)
-            time = total(self._tail[1::3])
-            rest = Profile("scurve", head.end, self.end, time, self._tail) if time else None
-            knots, pieces, marks = (head if rest is None else head.then(rest)).curve
-            if len(knots) > 1 and self.duration > knots[-2]:
-                knots = (*knots[:-1], self.duration)
-            self._curve = knots, pieces, marks
-            return self._curve
+    def _made(self) -> Curve:
+        v0, a0, steps, sign = self._head
+        head = profile_of_steps(self.start, v0, a0, steps, sign * self._tail[0], sign)
+        if self._name:
+            head = relabelled(head, "scurve", self._name)
+        time = total(self._tail[1::3])
+        rest = Profile("scurve", head.end, self.end, time, self._tail) if time else None
+        knots, pieces, marks = (head if rest is None else head.then(rest)).curve
+        if len(knots) > 1 and self.duration > knots[-2]:
+            knots = (*knots[:-1], self.duration)
+        return knots, pieces, marks
