@@ -68,25 +68,6 @@ class Reparametrised(Profile):
         times = [self.along.crossing(each, after) for each in _distances(self.path, position - self.lift)]
         return min((time for time in times if time is not None), default=None)
 
-    def cut(self, time: float) -> Profile:
-        """Return the first `time` seconds, exactly."""
-        if time >= self.duration:
-            return self
-        return Reparametrised(self.along.cut(time), self.path, self.shape, self.lift)
-
-    def after(self, time: float) -> Profile:
-        """Return the rest after `time` seconds, with its clock starting at 0."""
-        if time <= 0.0:
-            return self
-        return Reparametrised(self.along.after(time), self.path, self.shape, self.lift)
-
-    def scaled(self, start: float, factor: float) -> Profile:
-        """Return the same motion from `start`, with every distance times `factor`."""
-        if factor == 1.0:
-            return Reparametrised(self.along, self.path, self.shape, self.lift + (start - self.start))
-        begin = start + (self.path.start + self.lift - self.start) * factor
-        return Reparametrised(self.along, self.path.scaled(begin, factor), self.shape)
-
 
 def travelled(along: Profile, path: Profile, shape: str = "", lift: float = 0.0) -> Profile:
     """Return `path` travelled with the motion `along`, displaced by `lift`.

@@ -2,9 +2,9 @@
 
     python -m tests.kernel.controller.motions 3000 --commit HEAD
 
-`motions.txt` has the figures of the first draws, as commit 985e2d07 played them. A test compares them within
-`TOLERANCE`: another order of the same sums changes last bits. A draw is one run of random operations on four axes;
-every third has a generated program, too.
+`motions.txt` has the figures of the first draws, as commit 985e2d07 played them but for intended changes. A test
+compares them within `TOLERANCE`: another order of the same sums changes last bits. A draw is one run of random
+operations on four axes; every third has a generated program, too.
 """
 
 from __future__ import annotations

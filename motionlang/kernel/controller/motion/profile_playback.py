@@ -36,13 +36,13 @@ class Playback(Action):
     stops abruptly, 0.0 for none.
     """
 
-    __slots__ = ("_is_paced", "on_path", "ordered", "step")
+    __slots__ = ("on_path", "ordered", "paced", "step")
     keeps_rates = False
 
     def __init__(self, on_path: bool = False, step: float = 0.0) -> None:
         self.on_path, self.step = on_path, step
-        # True if the axis's profile is played at a varying rate, and both are known.
-        self._is_paced = False
+        # While the rate varies: the profile, and its playback time over machine time.
+        self.paced: tuple[Profile, Profile] | None = None
         self.ordered: Timed | None = None
 
     def suspend(self, a: Axis) -> bool:
@@ -92,40 +92,31 @@ class Playback(Action):
 
     def state(self, a: Axis) -> tuple[Profile, float, float]:
         """Return the profile, its playback time, and its playback rate."""
-        elapsed, last = a.clock.now - a.starts[-1], a.profiles[-1]
-        if self._is_paced and isinstance(last, Reparametrised):
-            path = last.path.shifted(last.lift) if last.lift else last.path
-            return path, last.along.position(elapsed), last.along.velocity(elapsed)
-        return last.after(elapsed), 0.0, 1.0
+        elapsed = a.clock.now - a.starts[-1]
+        if self.paced is None:
+            return a.profiles[-1].after(elapsed), 0.0, 1.0
+        path, pace = self.paced
+        return path, pace.position(elapsed), pace.velocity(elapsed)
 
     def segments_left(self, a: Axis) -> int:
         """Return the number of segments after the present one."""
-        knots, time, _ = self._knots(a)
-        return len(knots) - 1 - bisect_right(knots, time)
+        path, time, _ = self.state(a)
+        return len(path.knots) - 1 - bisect_right(path.knots, time)
 
     def next_segment_time(self, a: Axis) -> float:
         """Return when the next segment begins; INFINITY if it never does."""
-        knots, time, along = self._knots(a)
-        following = bisect_right(knots, time)
-        if following == len(knots):
-            return INFINITY
-        moment = knots[following] if along is None else along.crossing(knots[following])
+        path, pace = self.paced or (a.profiles[-1], running(0.0, 1.0))
+        following = bisect_right(path.knots, pace.position(a.clock.now - a.starts[-1]))
+        moment = pace.crossing(path.knots[following]) if following < len(path.knots) else None
         return INFINITY if moment is None else a.starts[-1] + moment
-
-    def _knots(self, a: Axis) -> tuple[tuple[float, ...], float, Profile | None]:
-        """Return the knots of the profile and its playback time.
-
-        If the rate varies, the third value is the playback time over machine time, otherwise None.
-        """
-        elapsed, last = a.clock.now - a.starts[-1], a.profiles[-1]
-        if self._is_paced and isinstance(last, Reparametrised):
-            return last.path.knots, last.along.position(elapsed), last.along
-        return last.knots, elapsed, None
 
     def shift(self, a: Axis, shift: float) -> None:
         """Shift positions by `shift` counts and drop the points that are past."""
         last, elapsed = a.profiles[-1], a.clock.now - a.starts[-1]
-        if not self._is_paced and elapsed < last.duration:
+        if self.paced is not None:
+            path, pace = self.paced
+            self.paced = path.shifted(shift), pace.after(elapsed)
+        elif elapsed < last.duration:
             self._count_from_here(a, last, elapsed)
         if self.ordered is not None:
             points, velocities, times = self.ordered
@@ -143,7 +134,7 @@ class Playback(Action):
         end = path.knots[bisect_right(path.knots, along)]
         goal = path.at(end)
         first = plan_pvt((state.position, goal.position), (state.velocity, goal.velocity), (a.suspend_time,))
-        self._is_paced = False
+        self.paced = None
         return relabelled(first, path.shape, "segment").then(path.after(end))
 
     def _count_from_here(self, a: Axis, path: Profile, along: float, time: float = 0.0) -> None:
@@ -197,7 +188,7 @@ class Playback(Action):
         continue_with(a, self._made(path, pace, shape), ended)
 
     def _made(self, path: Profile, pace: Profile, shape: str) -> Profile:
-        self._is_paced = True
+        self.paced = path, pace
         return Reparametrised(pace, path, shape)
 
 
