@@ -20,7 +20,7 @@ cams and shears of `cam.py` are its subclasses. Each defines in `base` how the s
 future motion, `coming`. `FollowMove` is the slave's entry in the log. It stores the profiles that the slave has
 followed, and joins them when it is read.
 
-A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `_paused`; offsets
+A suspended gear ramps to rest, and its offset with it. The rest of that offset waits in `paused`; offsets
 commanded meanwhile wait in the buffer. A cam or a shear cannot be suspended. An input that would suspend it
 holds its axis once the cam or shear is over, and delays new offsets until the input is released.
 
@@ -115,7 +115,7 @@ class FollowMove(LoggedMove):
 class Follow(Action):
     """A slave's tie to its master, an axis or encoder; `base` defines the relation."""
 
-    __slots__ = ("a", "master", "move", "offset", "offset_began", "offset_entry", "offset_limits")
+    __slots__ = ("a", "master", "move", "offset", "offset_began", "offset_entry", "offset_limits", "paused")
 
     def __init__(self, a: Axis, master: Axis, move: FollowMove) -> None:
         self.a, self.master, self.move = a, master, move
@@ -123,6 +123,8 @@ class Follow(Action):
         self.offset: Profile | None = None
         self.offset_began = 0.0
         self.offset_entry: LoggedMove | None = None  # its log entry
+        # The distance that it leaves out, as it comes to rest with a suspended slave.
+        self.paused = 0.0
         # Speed and rates that OFFSETMODE gave it; None for those of the axis.
         self.offset_limits: tuple[float, float, float] | None = None
         move.action = self
@@ -246,7 +248,7 @@ class Follow(Action):
         if self.offset is None:
             return 0.0, 0.0
         elapsed = self.a.clock.now - self.offset_began
-        return self.offset.end - self.offset.position(elapsed), self.offset.velocity(elapsed)
+        return self.paused + self.offset.end - self.offset.position(elapsed), self.offset.velocity(elapsed)
 
     # -- inside
 
@@ -274,7 +276,7 @@ class Follow(Action):
 
     def _with_offset(self, coming: Profile) -> Profile:
         here, offset = self._here(), self.offset
-        if offset is None:
+        if offset is None or offset.duration == INFINITY:  # a suspended slave comes to rest with its offset
             return self.base(coming, here)
         left = offset.after(self.a.clock.now - self.offset_began)
         return added(self.base(coming, here - left.start), left, self.move.shape)
@@ -319,7 +321,7 @@ class Gear(Follow):
     With `ramp` the slave first ramps to that velocity at its own rates.
     """
 
-    __slots__ = ("_chased_at", "_halt", "_locks_at", "_paused", "keeps_rates", "ramp", "ratio")
+    __slots__ = ("_chased_at", "_locks_at", "keeps_rates", "ramp", "ratio")
 
     def __init__(self, a: Axis, master: Axis, move: FollowMove, ratio: float, ramp: bool) -> None:
         super().__init__(a, master, move)
@@ -328,10 +330,6 @@ class Gear(Follow):
         self._locks_at = INFINITY if ramp else 0.0
         # True once a suspension has planned its rest, at its own rates.
         self.keeps_rates = False
-        # The remaining distance of the suspended offset.
-        self._paused = 0.0
-        # The ramp of the offset to rest in a suspension, and its start time.
-        self._halt: tuple[Profile, float] | None = None
         # The rates of the ramp to that velocity.
         self._chased_at = (0.0, 0.0)
 
@@ -365,19 +363,11 @@ class Gear(Follow):
         """Ramp to the ratio again and complete the offset; then start the waiting offsets."""
         self._locks_at = INFINITY
         left, velocity = self.offset_left()  # it may not be at rest yet
-        self._paused, self._halt = 0.0, None
+        self.offset, self.paused = None, 0.0
         if left or velocity:
             self._complete_offset(left, velocity)
         self.renew()
         self.more(a)
-
-    def offset_left(self) -> tuple[float, float]:
-        """Return the remaining distance of the offset, and its velocity."""
-        if self._halt is None:
-            return super().offset_left()
-        stop, began = self._halt
-        elapsed = self.a.clock.now - began
-        return self._paused + stop.end - stop.position(elapsed), stop.velocity(elapsed)
 
     def _pause_offset(self) -> None:
         """Ramp the offset down together with the slave; the rest of it waits."""
@@ -386,10 +376,9 @@ class Gear(Follow):
             return
         stop = to_rest(self.a)
         share = velocity / stop.start_velocity if stop.start_velocity else 0.0
-        done = stop.scaled(self.offset.end - left, share)
-        self._log_offset(with_rest(done))
-        self._paused, self.offset = left - done.distance, None
-        self._halt = done, self.a.clock.now
+        done = with_rest(stop.scaled(self.offset.end - left, share))
+        self._log_offset(done)
+        self.offset, self.offset_began, self.paused = done, self.a.clock.now, left - done.distance
 
     def _complete_offset(self, left: float, velocity: float) -> None:
         """Superpose the rest of a suspended offset, or drop it with a run-time fault."""
@@ -514,7 +503,7 @@ def leave_master(a: Axis) -> None:
         extend_track(a, hold(a.target))
         go_on(a)
         return
-    if tie.offset is None:
+    if tie.offset is None or tie.offset.duration == INFINITY:
         tie.end_offset("")  # one that is suspended
     tie.detach()
     rest_of = a.profiles[-1].after(now - a.starts[-1])

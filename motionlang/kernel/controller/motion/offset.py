@@ -80,7 +80,7 @@ def crossing_time(a: Axis, left: float) -> float:
     tie = tie_of(a)
     if tie is None or tie.offset is None:
         return INFINITY
-    found = tie.offset.crossing(tie.offset.end - left, a.clock.now - tie.offset_began)
+    found = tie.offset.crossing(tie.offset.end + tie.paused - left, a.clock.now - tie.offset_began)
     return INFINITY if found is None else tie.offset_began + found
 
 
