@@ -208,7 +208,7 @@ class Controller(Readings):
         self,
         axis: int,
         master: int,
-        table: entries.Table,
+        table: cam.Table,
         cyclic: bool = False,
         first: int = 0,
         encoder: bool = False,

@@ -6,6 +6,7 @@ Cycles or segments follow one another.
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections.abc import Callable, Sequence
 from math import ulp
 
 from motionlang.kernel.controller.axis import Axis
@@ -24,7 +25,10 @@ from motionlang.kernel.planners import Profile, hold
 from motionlang.kernel.planners.curve import from_curve
 from motionlang.kernel.planners.dwell import rest
 from motionlang.kernel.planners.reparametrised import travelled
+from motionlang.kernel.planners.table_motion import table_curve
 
+Points = tuple[Sequence[float], Sequence[float]]
+Table = Callable[[float], Points]
 Ordered = tuple[tuple[float, ...], tuple[float, ...], str]
 
 # Fraction of a cycle by which the master must at least reverse to leave it, and may fall short of its end.
@@ -192,9 +196,15 @@ def _datum(master: Axis) -> float:
 
 
 class Cam(CurveFollow):
-    """Following a cam table, once or repeatedly."""
+    """Following a cam table, once or repeatedly. It is read again in every cycle, so a program may change it.
 
-    __slots__ = ("cyclic", "first")
+    Its curve begins at 0. The curve is reused as long as `table` returns the same `points`.
+    """
+
+    __slots__ = ("cyclic", "first", "points", "table")
+
+    table: Table
+    points: Points
 
     def __init__(
         self,
@@ -213,9 +223,19 @@ class Cam(CurveFollow):
         return self.cyclic
 
     def over(self, forward: bool) -> bool:
-        if self.cyclic:
+        """Continue with the next cycle or the previous one, whose table is read now."""
+        points = self.table(self.end) if self.cyclic and forward else self.points
+        if points is not self.points:
+            self.next_curve(curve_of(self.a, points), True)
+            self.use(points)
+        elif self.cyclic:
             self.next_curve(self.curve, forward)
         return self.cyclic
+
+    def use(self, points: Points) -> None:
+        """Store the points of the curve."""
+        self.points = points
+        self.ordered = tuple(points[0]), tuple(points[1]), "linear"
 
     @property
     def index(self) -> int:
@@ -236,6 +256,18 @@ class Cam(CurveFollow):
 
     def _segment(self, along: float) -> int:
         return bisect_right(self.curve.knots, along, 1, len(self.curve.knots) - 1) - 1
+
+
+def curve_of(a: Axis, points: Points) -> Profile:
+    """Return the curve through a table, which begins at 0."""
+    positions, values = points
+    try:
+        curve = table_curve(positions, [value - values[0] for value in values])
+    except ValueError as problem:
+        raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
+    if curve.duration < MIN_CYCLE:
+        raise Rejected("range", f"a cam of {curve.duration:.10g} counts of the master is too short")
+    return curve
 
 
 class Fly(Action):

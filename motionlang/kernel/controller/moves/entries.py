@@ -6,7 +6,7 @@ wait for the following to end: it begins as soon as it is released and the previ
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
@@ -14,7 +14,7 @@ from motionlang.kernel.controller.events import BY_DESIGN
 from motionlang.kernel.controller.motion.follow import FollowMove, check_chain
 from motionlang.kernel.controller.motion.offset import offset
 from motionlang.kernel.controller.motion.profile_playback import Playback, Timed
-from motionlang.kernel.controller.moves.cam import MIN_CYCLE, Cam
+from motionlang.kernel.controller.moves.cam import Cam, Table, curve_of
 from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import run_profile, start_move
@@ -22,42 +22,10 @@ from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.pvt.motion import plan_pvt
-from motionlang.kernel.planners.table_motion import table_curve
-
-Points = tuple[Sequence[float], Sequence[float]]
-
-Table = Callable[[float], Points]
 
 Make = Callable[[float], Timed]
 
 # ------------------------------------------------------------------------------------------------------ cams
-
-
-class TableCam(Cam):
-    """A cam that reads its table again in every cycle, so a program may change it.
-
-    Its curve begins at 0. The curve is reused as long as `table` returns the same `points`.
-    """
-
-    __slots__ = ("points", "table")
-
-    table: Table
-    points: Points
-
-    def over(self, forward: bool) -> bool:
-        """Continue with the next cycle or the previous one, whose table is read now."""
-        points = self.table(self.end) if self.cyclic and forward else self.points
-        if points is not self.points:
-            self.next_curve(curve_of(self.a, points), True)
-            self.use(points)
-        elif self.cyclic:
-            self.next_curve(self.curve, forward)
-        return self.cyclic
-
-    def use(self, points: Points) -> None:
-        """Store the points of the curve."""
-        self.points = points
-        self.ordered = tuple(points[0]), tuple(points[1]), "linear"
 
 
 class CamEntry(Action):
@@ -84,22 +52,10 @@ class CamEntry(Action):
         target = INFINITY if self.cyclic else here + curve.end
         entry = FollowMove(a.index, move.command, move.line, "cam", target)
         entry.id = move.id
-        cam = TableCam(a, self.master, entry, curve, self.cyclic, self.first)
+        cam = Cam(a, self.master, entry, curve, self.cyclic, self.first)
         cam.table, cam.lift = self.table, here
         cam.use(points)
         cam.engage()
-
-
-def curve_of(a: Axis, points: Points) -> Profile:
-    """Return the curve through a table, which begins at 0."""
-    positions, values = points
-    try:
-        curve = table_curve(positions, [value - values[0] for value in values])
-    except ValueError as problem:
-        raise Rejected("range", f"axis {a.index} cannot follow the table: {problem}") from None
-    if curve.duration < MIN_CYCLE:
-        raise Rejected("range", f"a cam of {curve.duration:.10g} counts of the master is too short")
-    return curve
 
 
 def load_cam(
