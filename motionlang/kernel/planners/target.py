@@ -44,7 +44,6 @@ from motionlang.kernel.planners.transition import (
     Steps,
     distance_of_steps,
     ease,
-    eased_speed,
     initial_steps,
     profile_of_steps,
 )
@@ -231,20 +230,9 @@ def _ahead(
 ) -> Profile | None:
     """Return the move if the target lies beyond the shortest stop."""
     size = sign * (target - start)
-    top = _peak(ramps, size, u, b)
-    if top is None or speed <= eased_speed(ramps, u, b):
-        steps, rows = between(ramps, size, speed, u, b, 0.0)
-        recipe = [value if i else value * sign for row in rows for i, value in enumerate(row[:3])]
-        covered = distance_of_steps(u, b, steps)
-        return _arriving(start, target, (u, b, steps, sign), covered, (*recipe, 0.0))
-    top = min(top, speed)
-    steps, after = initial_steps(ramps, u, b, top)
-    covered = distance_of_steps(u, b, steps)
-    first, last, left = _up_and_down(ramps, size - covered, after, top)
-    slew = left / top if top == speed and left > 0.0 else 0.0
-    v = sign * top
-    ramp_up = (sign * after, *first, v, slew, 0.0, v, *last, 0.0)
-    return _arriving(start, target, (u, b, steps, sign), covered, ramp_up)
+    steps, rows = between(ramps, size, speed, u, b, 0.0)
+    recipe = [value if i else value * sign for row in rows for i, value in enumerate(row[:3])]
+    return _arriving(start, target, (u, b, steps, sign), distance_of_steps(u, b, steps), (*recipe, 0.0))
 
 
 def _time(steps: Steps) -> float:
@@ -252,28 +240,6 @@ def _time(steps: Steps) -> float:
     for _, each in steps:
         time += each
     return time
-
-
-def _peak(ramps: JerkRamps, size: float, u: float, b: float) -> float | None:
-    """Return the highest speed from which the axis can still stop at the target.
-
-    None if the axis must not accelerate. A ramp in progress is treated as the rest of a ramp that began earlier, at
-    zero acceleration.
-    """
-    jerk = ramps.accel_jerk if b > 0.0 else ramps.decel_jerk
-    time = abs(b) / jerk
-    if b > ramps.accel:
-        return None
-    rest = u - 0.5 * b * time
-    if b < 0.0:
-        rest = u + 0.5 * b * time
-        room = size - (rest + jerk * time * time / 6.0) * time
-        if rest <= 0.0 or room <= 0.5 * rest * ramps.down(rest, 0.0)[0]:
-            return None
-        return ramps.peak(rest, room)
-    eased = u + 0.5 * b * time
-    top = ramps.peak(rest, size + (rest + jerk * time * time / 6.0) * time)
-    return top if top >= eased else None
 
 
 def _arriving(start: float, target: float, head: Head, covered: float, recipe: Recipe) -> Profile | None:
