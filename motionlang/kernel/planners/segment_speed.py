@@ -6,7 +6,7 @@ The limits are its ramps and its highest speed.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import copysign, sqrt
+from math import copysign, nextafter, sqrt
 
 from motionlang.kernel.planners.ramps import ramp_distance
 from motionlang.kernel.planners.shapes import JerkRamps, Ramps
@@ -19,6 +19,8 @@ Ramp = tuple[float, float, float, float]
 
 # How far a ramp may exceed the available distance, as a fraction of it, and still fit: rounding.
 _SLACK = 1e-12
+# The fraction of a distance that is too large to be the rounding of its sum.
+_COARSE = 1e-11
 # Secants before bisection takes over, and how close, relatively, they bring two numbers.
 _SECANTS = 30
 _NEAR = 1e-14
@@ -65,12 +67,21 @@ def between(
     left = length - used - ramp_distance(*last)
     if left < 0.0 and not steps and top in (v0, v1):
         return (), [_fitting(last if top == v0 else first, length)]
+    # If rates are very far apart, the last bit of the peak makes a noticeable distance. Choose a lower peak, and slew.
+    step = top - nextafter(top, 0.0)
+    while left < -_COARSE * length and top > max(v0, v1):
+        top, step = max(v0, v1, top - step), 2.0 * step
+        steps, first, used = _lead(ramps, v0, a0, top)
+        last = _ramp(ramps, top, v1)
+        left = length - used - ramp_distance(*last)
     slew = left / top if left > _SLACK * length and top else 0.0
     return steps, [first, (top, slew, 0.0, top), last]
 
 
 def _top(ramps: Ramps, length: float, speed: float, v0: float, a0: float, v1: float) -> float:
     """Return the speed between the two ramps; it is `speed` if `length` allows."""
+    if v0 == a0 == v1 == 0.0 and (peak := ramps.peak(length)) is not None:
+        return min(peak, speed)
     if ramps.squares is not None:
         up, down = ramps.squares
         if v0 > speed:

@@ -64,8 +64,8 @@ class Ramps:
         """Return duration and kind of the ramp from v down to u."""
         raise NotImplementedError
 
-    def peak(self, u: float, size: float) -> float:
-        """Return the speed at which ramps from u up and down to rest fill `size`."""
+    def peak(self, size: float) -> float | None:
+        """Return the speed at which ramps up from rest and down to it fill `size`; None if it has to be searched."""
         raise NotImplementedError
 
 
@@ -94,10 +94,8 @@ class Proportional(Ramps):
     def down(self, v: float, u: float) -> tuple[float, float]:
         return (v - u) / self.decel, self.down_kind
 
-    def peak(self, u: float, size: float) -> float:
-        per_square = self.mean / self.accel + self.mean / self.decel
-        half = (self.mean - 0.5) * u / (self.accel * per_square)
-        return half + sqrt(half * half + (size + (1.0 - self.mean) * u * u / self.accel) / per_square)
+    def peak(self, size: float) -> float | None:
+        return sqrt(size / (self.mean / self.accel + self.mean / self.decel))
 
 
 @dataclass(eq=False, slots=True)
@@ -117,10 +115,8 @@ class JerkRamps(Ramps):
     def down(self, v: float, u: float) -> tuple[float, float]:
         return ramp_to(v - u, self.decel, self.decel_jerk)
 
-    def peak(self, u: float, size: float) -> float:
-        if u == 0.0:
-            return peak_from_rest(size, self.accel, self.decel, self.accel_jerk, self.decel_jerk)
-        return peak_speed(u, size, (self.accel, self.accel_jerk), (self.decel, self.decel_jerk))
+    def peak(self, size: float) -> float | None:
+        return peak_from_rest(size, self.accel, self.decel, self.accel_jerk, self.decel_jerk)
 
 
 def ramps_of(
@@ -156,56 +152,10 @@ def ramp_to(change: float, accel: float, jerk: float) -> tuple[float, float]:
     return 2.0 * sqrt(change / jerk), 0.5
 
 
-def peak_speed(u: float, size: float, up: tuple[float, float], down: tuple[float, float]) -> float:
-    """Return the speed at which ramps from u up and down to rest fill `size`.
-
-    `up` and `down` are (accel, jerk). There is a closed form if both ramps reach their acceleration. If not,
-    the distance, divided by the root of the gain of speed, is convex. Newton's steps start above the root and
-    descend to it; they stop where rounding reverses them.
-    """
-    accel, accel_jerk = up
-    decel, decel_jerk = down
-    rise, fall = accel / accel_jerk, decel / decel_jerk
-    per_square, per_speed = 0.5 / accel + 0.5 / decel, 0.5 * (rise + fall)
-    whole = size + 0.5 * u * (u / accel - rise)
-    if whole > 0.0:
-        v = 2.0 * whole / (sqrt(per_speed * per_speed + 4.0 * per_square * whole) + per_speed)
-        if v - u >= accel * rise and v >= decel * fall:
-            return v
-    # Without a jerk limit the same acceleration reaches a higher speed, which is an upper bound. Ramps at
-    # their full acceleration are at least as long as others, which gives a lower bound; the first step from
-    # it leads above the root.
-    high = sqrt((size + 0.5 * u * u / accel) / per_square) * (1.0 + 1e-15)
-    low = v - u if whole > 0.0 else 0.0
-    x = ceiling = sqrt(max(high - u, 0.0))
-    if low > 0.05 * (high - u):
-        x, ceiling = sqrt(low), inf
-    while True:
-        gain = x * x
-        v = u + gain
-        if gain >= accel * rise:
-            first, first_slope = gain / accel + rise, 2.0 * x / accel
-        else:
-            first_slope = 2.0 / sqrt(accel_jerk)
-            first = first_slope * x
-        if v >= decel * fall:
-            last = v / decel + fall
-            last_slope = 1.0 / decel
-        else:
-            last = 2.0 * sqrt(v / decel_jerk)
-            last_slope = 2.0 / (decel_jerk * last) if last else 0.0
-        slope = x * (first + last + v * last_slope) + 0.5 * (u + v) * first_slope
-        following = x - (0.5 * ((u + v) * first + v * last) - size) / slope if slope > 0.0 else x
-        if not 0.0 <= following < ceiling:
-            return v
-        x = ceiling = following
-
-
-def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float) -> float:
-    """Return the peak speed of a move from rest, like `peak_speed`.
-
-    There is a closed form if both ramps reach their acceleration, or neither does.
-    """
+def peak_from_rest(
+    size: float, accel: float, decel: float, accel_jerk: float, decel_jerk: float
+) -> float | None:
+    """Return the peak speed of a move from rest if both ramps reach their acceleration, or neither does."""
     rise, fall = accel / accel_jerk, decel / decel_jerk
     upper, lower = accel * rise, decel * fall
     if lower > upper:
@@ -217,6 +167,4 @@ def peak_from_rest(size: float, accel: float, decel: float, accel_jerk: float, d
         return v
     v = cbrt(size / (1.0 / sqrt(accel_jerk) + 1.0 / sqrt(decel_jerk)))
     v *= v
-    if v <= lower:
-        return v
-    return peak_speed(0.0, size, (accel, accel_jerk), (decel, decel_jerk))
+    return v if v <= lower else None

@@ -32,7 +32,7 @@ Cost. 2 µs from rest, some 8 µs from a velocity and an acceleration, and 80 µ
 
 from __future__ import annotations
 
-from math import copysign, fsum, inf, nextafter
+from math import copysign, fsum, inf
 
 from motionlang.kernel.planners.curve import Profile, relabelled
 from motionlang.kernel.planners.limits import LARGEST, STILL, check_finite, check_rates, too_large
@@ -47,10 +47,8 @@ from motionlang.kernel.planners.transition import (
     initial_steps,
     profile_of_steps,
 )
-from motionlang.kernel.tools import bisected, total
+from motionlang.kernel.tools import total
 
-# The fraction of a distance that is too large to be the rounding of its sum.
-_COARSE = 1e-11
 # How far from its target a plan may end, as a fraction of the distance, before its figures count as too far
 # apart.
 _ASTRAY = 1e-9
@@ -141,45 +139,8 @@ def finish(shape: str, start: float, target: float, recipe: Recipe) -> Profile:
 
 def _travel(ramps: Ramps, size: float, speed: float, u: float, sign: float) -> Recipe:
     """Return ramps that cover `size` in direction `sign`, from speed u >= 0 to rest."""
-    v = speed if u <= speed else _braked(ramps, size, speed, u)
-    first, last, left = _up_and_down(ramps, size, u, v)
-    slew = 0.0
-    if left > 0.0:
-        slew = left / v
-    elif u < v:
-        v = max(u, ramps.peak(u, size))  # not below u by rounding
-        first, last, left = _up_and_down(ramps, size, u, v)
-        if abs(left) > _COARSE * size:
-            # If jerk hardly affects a long ramp, the last bit of the peak makes a noticeable distance. Choose a
-            # lower peak, and slew.
-            step = v - nextafter(v, 0.0)
-            while left < 0.0 and v > u:
-                v, step = max(u, v - step), 2.0 * step
-                first, last, left = _up_and_down(ramps, size, u, v)
-            if left > 0.0 and v > 0.0:
-                slew = left / v
-    v *= sign
-    return (*first, v, slew, 0.0, v, *last, 0.0)
-
-
-def _up_and_down(
-    ramps: Ramps, size: float, u: float, v: float
-) -> tuple[tuple[float, float], tuple[float, float], float]:
-    """Return the ramps from u to v and from v to rest, and what they leave of `size`."""
-    first = ramps.up(u, v) if u <= v else ramps.down(u, v)
-    last = ramps.down(v, 0.0)
-    return first, last, size - ramp_distance(u, *first, v) - ramp_distance(v, *last, 0.0)
-
-
-def _braked(ramps: Ramps, size: float, speed: float, u: float) -> float:
-    """Return the speed to brake to from u > `speed` before a section at that speed.
-
-    With limited jerk, two ramps down need more distance than one. If that distance is missing, the slew speed
-    is raised above `speed` until the distance suffices (own arithmetic).
-    """
-    if _up_and_down(ramps, size, u, speed)[2] >= 0.0:
-        return speed
-    return bisected(u, speed, lambda v: _up_and_down(ramps, size, u, v)[2] >= 0.0)
+    _, rows = between(ramps, size, speed, u, 0.0, 0.0)
+    return tuple(value for _, time, kind, v in rows for value in (time, kind, sign * v))
 
 
 def _from_acceleration(

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from itertools import combinations, product
+from itertools import combinations
 from math import sqrt
 
 import pytest
 
-from motionlang.kernel.planners import Profile, shapes
+from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.limits import LARGEST
-from motionlang.kernel.planners.shapes import JerkRamps, peak_speed, ramp_to
+from motionlang.kernel.planners.shapes import JerkRamps
 from motionlang.kernel.planners.target import JerkLimited, approach
 from motionlang.kernel.planners.transition import ease
 from tests.kernel.planners.cases import plan_jerk
@@ -64,41 +64,6 @@ def test_a_deceleration_that_ends_hardly_above_rest_ends_at_rest() -> None:
         made = plan_jerk(0.0, 0.0, 100.0, *RATES, 20.0, -sqrt(2.0 * 1500.0 * (20.0 - after)))
         assert isinstance(made, JerkLimited)
         assert len(made._head[2]) == found
-
-
-# Initial speed, acceleration, deceleration and their jerks.
-PEAKS = list(
-    product(
-        (0.0, 1.0, 20.0, 45.0, 80.0, 300.0), (100.0, 400.0), (50.0, 300.0), (500.0, 8000.0), (700.0, 6000.0)
-    )
-)
-
-
-def test_the_peak_of_a_move_in_motion_is_found_in_few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Both ramps have the mean of their speeds, and fill the distance.
-
-    Each step takes one square root for each ramp that does not reach its rate: at most two. Before the first step,
-    up to three bound the speed.
-    """
-    roots: list[float] = []
-
-    def counted(x: float) -> float:
-        roots.append(x)
-        return sqrt(x)
-
-    monkeypatch.setattr(shapes, "sqrt", counted)
-    most, count = 0, 0
-    for u, accel, decel, accel_jerk, decel_jerk in PEAKS:
-        stop = 0.5 * u * ramp_to(u, decel, decel_jerk)[0]
-        for size in (1.0, 1.001, 1.1, 1.5, 4.0, 50.0, 1e4):
-            roots.clear()
-            size *= stop or 1.0
-            peak = peak_speed(u, size, (accel, accel_jerk), (decel, decel_jerk))
-            most, count = max(most, len(roots)), count + len(roots)
-            first = ramp_to(max(peak - u, 0.0), accel, accel_jerk)[0]
-            last = ramp_to(peak, decel, decel_jerk)[0]
-            assert 0.5 * (u + peak) * first + 0.5 * peak * last == pytest.approx(size, rel=1e-12)
-    assert (most, count) == (23, 5421)  # 8 for each peak
 
 
 # Initial velocity and acceleration, then the velocity and the distance after a ramp-down at a jerk of 500.

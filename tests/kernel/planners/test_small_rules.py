@@ -187,7 +187,6 @@ PEAKS: dict[str, tuple[float, tuple[float, float, float, float], float]] = {
         0.5 * 45.0 * (0.65 + 1.0), (100.0, 50.0, 500.0, 500.0), 45.0,
     ),
     "neither, with other jerks": (0.5 * 5.0 * (0.2 + 0.1), (100.0, 200.0, 500.0, 2000.0), 5.0),
-    "one of them": (0.5 * 10.0 * (0.3 + 2.0 * sqrt(0.02)), (50.0, 100.0, 500.0, 500.0), 10.0),
 }  # fmt: skip
 
 
