@@ -14,10 +14,10 @@ from itertools import chain, pairwise
 from math import inf, sqrt
 
 from motionlang.kernel.planners.curve import Profile
-from motionlang.kernel.planners.limits import check_finite, check_positive, too_large
+from motionlang.kernel.planners.limits import check_finite, check_positive
 from motionlang.kernel.planners.segment_speed import Ramp, between, entry_speed, exit_speed, reaches
 from motionlang.kernel.planners.shapes import Ramps, ramps_of
-from motionlang.kernel.planners.transition import Steps, profile_of_steps
+from motionlang.kernel.planners.transition import Steps, joined
 from motionlang.kernel.tools import total
 
 # How far a course may overshoot its end, as a fraction of its length, before it counts as overshooting.
@@ -206,15 +206,7 @@ def _joined(
             ramp = (rows[-1][0], rows.pop()[1] + ramp[1], 0.0, ramp[3])
         rows.append(ramp)
     recipe = (*chain.from_iterable([row[:3] for row in rows]), rows[-1][3]) if rows else (0.0, 0.0, 0.0, 0.0)
-    duration = total([row[1] for row in rows])
-    if not steps:
-        if not duration < inf:
-            raise too_large()
-        return Profile(shape, start, end, duration, recipe)
-    transition = profile_of_steps(start, v0, a0, steps, recipe[0])
-    if not duration + transition.duration < inf:
-        raise too_large()
-    return transition.then(Profile(shape, transition.end, end, duration, recipe))
+    return joined(shape, start, end, (v0, a0, steps, 1.0), recipe)
 
 
 def _goes_on(before: Ramp, ramp: Ramp) -> bool:

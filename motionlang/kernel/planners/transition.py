@@ -7,14 +7,18 @@ applies, and a ramp from zero acceleration follows. Own arithmetic. Velocities a
 
 from __future__ import annotations
 
-from math import sqrt
+from math import fsum, inf, sqrt
 
-from motionlang.kernel.planners.curve import Profile, from_curve
-from motionlang.kernel.planners.ramps import FALLING, Piece, ramp_distance
+from motionlang.kernel.planners.curve import Profile, from_curve, relabelled
+from motionlang.kernel.planners.limits import too_large
+from motionlang.kernel.planners.ramps import FALLING, Piece, Recipe, ramp_distance
 from motionlang.kernel.planners.shapes import JerkRamps
 
 # A sequence of sections of constant jerk: the jerk and the time of each.
 Steps = tuple[tuple[float, float], ...]
+
+# The beginning of a motion from rest, as `joined` takes it.
+REST = (0.0, 0.0, (), 1.0)
 
 # A velocity counts as zero if it is smaller than NOTHING times the velocity that a ramp-down from full
 # acceleration gains, unless it exceeds HARDLY times the change itself: a ramp that has hardly begun is not
@@ -75,6 +79,27 @@ def profile_of_steps(
         a += jerk * time
     marks = (("accel" if abs(v1) > abs(v0) else "decel", 0),) if pieces else ()
     return from_curve("scurve", start, p, (tuple(knots), tuple(pieces), marks), v0 * sign, v1 * sign)
+
+
+def joined(
+    shape: str, start: float, end: float, head: tuple[float, float, Steps, float], recipe: Recipe
+) -> Profile:
+    """Return sections of constant jerk, then the ramps of a recipe to `end`.
+
+    `head` is velocity and acceleration in the direction of the motion, the sections, and that direction.
+    """
+    duration = fsum(recipe[1::3])
+    if not duration < inf:
+        raise too_large()
+    u, b, steps, sign = head
+    if not steps:
+        return Profile(shape, start, end, duration, recipe)
+    made = profile_of_steps(start, u, b, steps, sign * recipe[0], sign)
+    if not made.duration + duration < inf:
+        raise too_large()
+    if duration and not recipe[0]:
+        made = relabelled(made, shape, "stop")
+    return made.then(Profile(shape, made.end, end, duration, recipe)).ending_at(end)
 
 
 def ease(start: float, v0: float, a0: float, jerk: float) -> Profile:

@@ -20,7 +20,7 @@ from motionlang.kernel.planners.segment_speed import _farthest, between, entry_s
 from motionlang.kernel.planners.shapes import peak_from_rest, ramps_of
 from motionlang.kernel.planners.superposition import added
 from motionlang.kernel.planners.table_motion import spline_slopes
-from motionlang.kernel.planners.target import finish
+from motionlang.kernel.planners.transition import REST, joined
 from tests.kernel.planners.cases import plan_jerk
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def test_a_profile_of_ramps_too_short_to_count_stands_still() -> None:
 
 def test_a_ramp_that_never_ends_is_a_move_too_large() -> None:
     with pytest.raises(ValueError, match="the move is too large"):
-        finish("trapezoid", 0.0, 1.0, (0.0, inf, 0.0, 1.0))
+        joined("trapezoid", 0.0, 1.0, REST, (0.0, inf, 0.0, 1.0))
 
 
 def test_a_wave_is_added_to_one_without_height() -> None:
