@@ -259,6 +259,7 @@ accel ac decel acceltime deceltime acceljerk deceljerk acceljerktime deceljerkti
     "mccl.slave-complete": "sm ws wt tt",
     "mccl.slave-freed": "sm",
     "mccl.slave-in-motion": "sm",
+    "mccl.slave-stopped": "sm",
     "mccl.gain-default": "sg tg",
     "mccl.integral-default": "si ti",
     "mccl.derivative-default": "sd td",

@@ -82,8 +82,6 @@ class Profile:
     __slots__ = ("_curve", "_recipe", "duration", "end", "shape", "start")
 
     _curve: Curve
-    # True for a motion along a curve, whose accelerations are no ramps of an axis.
-    on_curve = False
 
     # The running program calls this for every move: five stores, nothing computed. `_curve` stays unset.
     def __init__(self, shape: str, start: float, end: float, duration: float, recipe: Recipe) -> None:

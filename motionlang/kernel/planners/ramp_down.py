@@ -1,7 +1,8 @@
 """Ramp-down of residual acceleration where no jerk is set: PMC's S-curves.
 
 Their acceleration has a shape instead of a jerk limit. It falls to zero along the falling flank of its ramp, as at
-the end of that ramp, but at once.
+the end of that ramp, but at once. Only ramps that an axis or a path plans for itself have a flank: the acceleration of
+a slave is that of its master, on an arc that of the curve, and in a table or a playback its author's.
 """
 
 from __future__ import annotations
@@ -28,12 +29,12 @@ def residual_ramp_down(profile: Profile, time: float) -> Profile | None:
 
     None if there is no acceleration, or no flank that reduces it.
     """
-    if profile.on_curve or not (0.0 <= time < profile.duration and profile.pieced):
+    if not 0.0 <= time < profile.duration:
         return None
     i = profile._index(time)
     piece = recentred(profile.pieces[i], time - profile.knots[i])
     phase = [name for name, first in profile.curve[2] if first <= i][-1:]
-    if not isinstance(piece, tuple) or phase == ["slew"]:  # the acceleration is that of a curve
+    if not isinstance(piece, tuple) or phase == ["slew"]:  # the acceleration is that of an arc
         return None
     found = _on_wave(piece) if piece[4] else _on_slope(profile, i, piece)
     if found is None:
@@ -50,13 +51,14 @@ def residual_ramp_down(profile: Profile, time: float) -> Profile | None:
 
 
 def onset(
-    profile: Profile, time: float, shape: str, accel_jerk: float
+    profile: Profile, time: float, shape: str, accel_jerk: float, own: bool = True
 ) -> tuple[Profile | None, float, float, float]:
     """Return the ramp-down that a new plan begins with, and the state to plan from.
 
-    The ramp-down is None unless the acceleration is shaped. The state is position, velocity and acceleration.
+    The ramp-down is None unless the acceleration is shaped, and `own`: not that of a master or a table. The state is
+    position, velocity and acceleration.
     """
-    if shaped(shape, accel_jerk):
+    if own and shaped(shape, accel_jerk):
         eased = residual_ramp_down(profile, time)
         if eased is not None:
             return eased, eased.end, eased.end_velocity, 0.0
@@ -86,8 +88,8 @@ def stop_in_motion(
     """Come to rest at `decel` from motion, without an acceleration jump in an S-curve.
 
     `accel` is given if the motion may exceed the rates of the axis: the stop then begins with an acceleration within
-    both. A ramp of PMC's that already slows down continues to rest as planned, if that is no farther and never
-    harder than `decel`. Raises ValueError like `plan_stop`.
+    both, and at once. A ramp of PMC's that already slows down continues to rest as planned, if that is no farther and
+    never harder than `decel`. Raises ValueError like `plan_stop`.
     """
     state = profile.at(time)
     if shape == "trapezoid" or (shape == "scurve" and decel_jerk < inf):
@@ -97,7 +99,7 @@ def stop_in_motion(
         return plan_stop(
             shape, state.position, state.velocity, decel, ramp, decel_jerk, acceleration, accel_jerk
         )
-    eased = residual_ramp_down(profile, time) if shaped(shape, decel_jerk) else None
+    eased = residual_ramp_down(profile, time) if accel is None and shaped(shape, decel_jerk) else None
     if eased is None:
         made = plan_stop(shape, state.position, state.velocity, decel, ramp)
     else:

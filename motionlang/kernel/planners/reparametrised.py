@@ -34,7 +34,7 @@ class Reparametrised(Profile):
 
     __slots__ = ("along", "lift", "path")
 
-    is_large = on_curve = True
+    is_large = True
 
     def __init__(self, along: Profile, path: Profile, shape: str = "", lift: float = 0.0) -> None:
         self.along, self.path, self.lift = along, path, lift

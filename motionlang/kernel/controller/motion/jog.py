@@ -53,10 +53,11 @@ class Jog(Action):
         """Return the motion from the state of the axis to the velocity."""
         self._ramp_settings = settings = _ramp_settings(a, own)
         accel, decel, jerks = settings[:3]
+        keeps = keeps_rates(a.move)
         eased, position, velocity, acceleration = onset(
-            a.profiles[-1], a.clock.now - a.starts[-1], a.shape, jerks[0]
+            a.profiles[-1], a.clock.now - a.starts[-1], a.shape, jerks[0], keeps
         )
-        if not keeps_rates(a.move):
+        if not keeps:
             acceleration = admitted(acceleration, velocity, accel, decel)
         wanted = _wanted(a, self.velocity)
         if eased is not None and isclose(velocity, wanted, rel_tol=_ROUNDING):

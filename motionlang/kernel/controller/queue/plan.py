@@ -61,7 +61,9 @@ def plan_move(a: Axis, move: LoggedMove, in_force: tuple[float, float] | None = 
     try:
         if last.shape == "hold" and shape == "trapezoid":  # the case of nearly every move
             return plan_trapezoid(last.end, move.target, speed, accel, decel)
-        eased, start, velocity, acceleration = onset(last, a.clock.now - a.starts[-1], shape, jerks[0])
+        eased, start, velocity, acceleration = onset(
+            last, a.clock.now - a.starts[-1], shape, jerks[0], keeps_rates(a.move)
+        )
         made = plan(shape, start, move.target, speed, accel, decel, velocity, a.ramp, *jerks, acceleration)
         return made if eased is None else eased.then(made)
     except ValueError as problem:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 import pytest
 
 from motionlang.kernel import Controller, Rejected
-from motionlang.kernel.planners import plan_pvt
+from motionlang.kernel.planners import plan, plan_pvt
 from tests.cases import cases
 from tests.kernel.controller.machines import cam, machine, offset, until
 
@@ -464,17 +464,36 @@ def test_a_slave_that_returns_to_where_it_is_does_not_rest() -> None:
     assert (a.is_at_standstill, c.is_idle(1)) == (True, False)
 
 
-def test_a_slave_of_an_arc_stops_at_its_own_rate() -> None:
-    """At uniform speed on an arc the motion of the master is a wave, but not a ramp of the slave."""
-    c = machine(3)
-    for a in c.axes.values():
-        a.speed, a.accel, a.decel, a.shape = 20.0, 50.0, 50.0, "sinusoidal"
-    c.load_arc([0, 1], [10.0, 0.0], 360.0, (), True)
+def follow(c: Controller, begin: Callable[[Controller], object]) -> None:
     c.gear(2, 0, 1.0)
-    c.go([0])
-    until(c, 0.9).stop(2)
-    velocity = speed(c, 2, 0.9)
+    begin(c)
+
+
+def arc(c: Controller, axis: int = 0) -> None:
+    c.load_arc([axis, 1], [10.0, 0.0], 360.0, (), True)
+    c.go([axis])
+
+
+@cases(
+    "begin, time, is_eased",
+    [(lambda c: c.move_to(2, 90.0), 0.3, True), (lambda c: c.jog(2, 20.0), 0.3, True),
+     (lambda c: follow(c, lambda c: c.move_to(0, 90.0)), 0.3, False), (lambda c: follow(c, arc), 0.3, False),
+     (lambda c: follow(c, arc), 0.9, False),  # at uniform speed: a wave
+     (lambda c: arc(c, 2), 0.3, False), (lambda c: arc(c, 2), 0.9, False),
+     (lambda c: c.play(2, plan("sinusoidal", 0.0, 90.0, 20.0, 50.0, 50.0)), 0.3, False)],
+)  # fmt: skip
+def test_only_a_ramp_of_the_axis_itself_is_eased_along_its_flank(
+    begin: Callable[[Controller], None], time: float, is_eased: bool
+) -> None:
+    """A stop from v takes v π / 100, and begins at once if the acceleration is that of a master or a table.
+
+    After 0.3 s an own ramp is at 1.5 rad of its wave, and has v = 10 - 10 cos 1.5. Its flank leads to 2 v in 0.3 s.
+    """
+    c = machine(3, speed=20.0, accel=50.0, decel=50.0, shape="sinusoidal")
+    begin(c)
+    until(c, time).come_to_rest(2)
+    v = speed(c, 2, time)
     until(c, 8.0)
-    assert at(c, 2, 8.0) - at(c, 2, 0.9) == pytest.approx(
-        0.5 * velocity * velocity / (50.0 / (0.5 * math.pi))
-    )
+    at_once = 0.5 * v * v * math.pi / 100.0
+    eased = 0.3 * 2.0 * v - 10.0 * (0.3 - 0.2 * math.sin(1.5)) + 4.0 * at_once
+    assert abs(at(c, 2, 8.0) - at(c, 2, time)) == pytest.approx(eased if is_eased else at_once)
