@@ -20,9 +20,10 @@ if TYPE_CHECKING:
 
 # Ramps of a velocity: v0, T1, kind1, v1 and so on.
 Recipe = tuple[float, ...]
-# One polynomial or sine of a profile, and any piece.
+# A piece of a profile that is one polynomial or one half wave.
 Plain = tuple[float, float, float, float, float, float, float]
 Marks = tuple[tuple[str, int], ...]
+# A piece of a profile, plain or a formula.
 Piece: TypeAlias = "Plain | Formula"
 # Knots, pieces, and the first piece of each phase.
 Curve: TypeAlias = "tuple[tuple[float, ...], tuple[Piece, ...], Marks]"
