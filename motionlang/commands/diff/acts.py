@@ -90,8 +90,9 @@ class PlayedWay(NamedTuple):
     `until` is how long it is known what it does: for ever if it ended, or if nothing could change any more. `status` is
     "waits", "ended", or the code of the error with which it ended. `places` are where the axes rest at the end, by
     number, in counts and user units. `stays` are the times of the rests of the machine, `changed` is when the world
-    changed last. `begun` are the source offsets
-    of the statements that began, `outcomes` those of the conditions that came out, with their numbers and how.
+    changed last. `begun` are the source offsets of the statements that began, `outcomes` those of the conditions that
+    came out, with their numbers and how, `order` those of each task in the order in which they first began behind the
+    last change.
     """
 
     acts: Mapping[str, Sequence[ComparedAct]]
@@ -103,6 +104,7 @@ class PlayedWay(NamedTuple):
     changed: float
     begun: Set[int]
     outcomes: Set[tuple[int, int, bool]]
+    order: Mapping[str, Sequence[int]]
 
     @property
     def is_at_rest(self) -> bool:
@@ -128,7 +130,10 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
     changed = max(
         (each.levels(at)[-1][0] if each.moment.every else at for at, each in trial.timeline), default=0.0
     )
-    return PlayedWay(dict(acts), status, run.time, until, places, stays, changed, trial.begun, trial.outcomes)
+    order = {task: list(dict.fromkeys(each.at for each in some)) for task, some in trial.statements.items()}
+    return PlayedWay(
+        dict(acts), status, run.time, until, places, stays, changed, trial.begun, trial.outcomes, order
+    )
 
 
 def status_of(run: Run, status: str) -> str:

@@ -4,9 +4,9 @@ Problem. Two programs that did the same in each way that was played are only the
 
 Idea. Statements are compared by their forms, which all spellings share, and by where they lead. One without a
 counterpart has changed. It must be carried out in a way that was compared; if it is a condition, it must come out both
-true and false there; and of what it computes something must show. In a way in which both programs have carried out
-statements of the same forms all values were equal. In any other way a difference must show, or the statements in which
-they differ are named.
+true and false there; and of what it computes something must show. In a way in which both programs have carried out the
+same statements, or others of the same forms, in the same order, all values were equal. In any other way a difference
+must show, or the changed statements in it are named.
 
 Cost. Linear in the statements, but for the alignment.
 """
@@ -21,9 +21,11 @@ from motionlang.commands.cover import coverage
 from motionlang.commands.diff.acts import ComparedActs, PlayedWay
 from motionlang.commands.diff.align import aligned
 from motionlang.kernel import Program
-from motionlang.kernel.lang import ACTS, LEADS, NAME
+from motionlang.kernel.lang import ACTS, NAME, PRINTS
 
 _NAMES = re.compile(rf"{NAME}\w+")
+# A statement in a comparison: the number of its pair, or its form.
+Key = int | str
 # Leads to a statement that has changed itself.
 _CHANGED = -1
 
@@ -35,16 +37,16 @@ class ChangedProgram:
         self.program, self.structure = program, program.structure
         statements = self.structure.statements
         self.forms = {at: each.form for at, each in statements.items()}
-        self._lines = {at: each.line for at, each in statements.items()}
-        self._effects = {at: each.effect for at, each in statements.items()}
-        # The head of a sub or a handler counts as a statement.
-        for unit in self.structure.units:
-            if unit.head:
-                at = -1 - unit.entry
-                self.forms[at], self._lines[at], self._effects[at] = unit.head, unit.line, ACTS
-        self._offsets = set(program.offsets)
-        # What a run carries out: debug builds begin statements, and the tests of a Case and of an Until come out.
-        self._played = self._offsets | {at for at, each in statements.items() if each.condition}
+        # The heads of subs and handlers.
+        self.heads = {unit.head: unit.line for unit in self.structure.units if unit.head}
+        self.changed_heads: set[str] = set()
+        # The pairs of statements that both programs have, by number; another statement is known by its form.
+        self.pairs: dict[int, int] = {}
+        # What a run carries out, but for what nothing leads to: debug builds begin statements, and the tests of a Case
+        # and of an Until come out.
+        self._offsets = {each.at for each in coverage(self.structure, program.offsets, {}).statements}
+        tests = {at for at, each in statements.items() if each.condition and at not in program.offsets}
+        self._played = self._offsets | tests
         self.changed: set[int] = set()
         # The statements that began in the ways so far, and how conditions came out there.
         self.begun: set[int] = set()
@@ -56,7 +58,7 @@ class ChangedProgram:
 
     def lines(self, some: Iterable[int]) -> list[int]:
         """Return the lines of some statements."""
-        return sorted({self._lines[at] for at in some})
+        return sorted({self.structure.line(at) for at in some})
 
     @property
     def uncompared(self) -> set[int]:
@@ -75,37 +77,42 @@ class ChangedProgram:
         }
 
     @property
-    def hidden(self) -> set[int]:
-        """The changed statements on which nothing depends that was played."""
-        declared = set[int]() if self._is_shown else self.changed - self._played
-        return (self._silent - self._shown) | {at for at in declared if self._effects[at] == ACTS}
+    def hidden(self) -> list[int]:
+        """The lines of the changed statements, declarations and heads on which nothing depends that was played."""
+        declared = (
+            set[int]() if self._is_shown else self.changed.difference(self.program.offsets) - self._played
+        )
+        heads = set[str]() if self._is_shown else self.changed_heads
+        found = (self._silent - self._shown) | {at for at in declared if self._effect(at) == ACTS}
+        return sorted({*self.lines(found), *(self.heads[each] for each in heads)})
 
-    def note(
-        self, played: PlayedWay, own: Set[str], others: Set[str], undecided: Set[int], differs: bool
-    ) -> None:
-        """Take note of a way; `own` and `others` are the forms of what acted in it, here and in the other program.
+    def _effect(self, at: int) -> str:
+        return self.structure.statements[at].effect
 
-        `undecided` are the lines of acts that the end of the way may have cut off in one of them.
+    def note(self, played: PlayedWay, is_usual: bool, undecided: Set[int], differs: bool) -> None:
+        """Take note of a way.
+
+        `is_usual` is True if both programs have carried out the same in the same order. `undecided` are the lines of
+        acts that the end of the way may have cut off in one of them.
         """
         begun = played.begun | {at for at, _, _ in played.outcomes}
         self.begun |= begun
         self.outcomes |= played.outcomes
         self._is_shown |= differs
+        some = self.changed & begun
         if differs:
-            self._shown |= self.changed & begun
-            return
-        self._silent |= {
-            at
-            for at in self.changed & begun
-            if (self._effects[at] == ACTS and self.forms[at] not in others)
-            or (self._effects[at] == LEADS and own != others)
-            or self._lines[at] in undecided
-        }
+            self._shown |= some
+        elif not is_usual:
+            self._silent |= {at for at in some if self._effect(at) != PRINTS}
+        self._silent |= {at for at in some if self.structure.line(at) in undecided}
 
-    def acted(self, played: PlayedWay) -> set[str]:
-        """Return the forms of the statements of a way that did more than lead elsewhere or print."""
+    def acted(self, played: PlayedWay) -> tuple[set[Key], dict[str, list[Key]]]:
+        """Return what acted in a way, and for each task the order in which it began."""
         begun = played.begun | {at for at, _, _ in played.outcomes}
-        return {self.forms[at] for at in begun if at in self.forms and self._effects[at] == ACTS}
+        keys = {at: self.pairs.get(at, self.forms[at]) for at in begun if at in self.forms}
+        acts = {at for at in keys if self._effect(at) == ACTS}
+        order = {task: [keys[at] for at in some if at in acts] for task, some in played.order.items()}
+        return {keys[at] for at in acts}, order
 
     def following(self, pairs: Mapping[int, int]) -> dict[int, list[int]]:
         """Return where each statement leads: to the pairs with these numbers, or to what has changed."""
@@ -139,14 +146,20 @@ def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedPro
     """Return two programs with the statements of each that the other one does not have, or that lead elsewhere."""
     first, second = ChangedProgram(a), ChangedProgram(b)
     renamed = _renamed(first, second)
-    second.forms = {
-        at: _NAMES.sub(lambda name: renamed.get(name[0], name[0]), text) for at, text in second.forms.items()
-    }
+
+    def same(text: str) -> str:
+        return _NAMES.sub(lambda name: renamed.get(name[0], name[0]), text)
+
+    second.forms = {at: same(text) for at, text in second.forms.items()}
+    second.heads = {same(text): line for text, line in second.heads.items()}
+    first.changed_heads = first.heads.keys() - second.heads.keys()
+    second.changed_heads = second.heads.keys() - first.heads.keys()
     old, new = first.forms, second.forms
     mine, others = sorted(old), sorted(new)
     rows = aligned([old[at] for at in mine], [new[at] for at in others], str)
     pairs = [(mine[i], others[j]) for i, j in rows if i is not None and j is not None]
     numbers = [{both[side]: k for k, both in enumerate(pairs)} for side in (0, 1)]
+    first.pairs, second.pairs = numbers
     first.changed, second.changed = old.keys() - numbers[0].keys(), new.keys() - numbers[1].keys()
     leads = first.following(numbers[0]), second.following(numbers[1])
     for one, other in pairs:
@@ -163,9 +176,15 @@ def note_played(
     """Take note of a way that was played in both programs, and of what differed in it."""
     undecided = {each.line for each in result.undecided}
     differs = bool(result.differences or result.later)
-    acted = [text.acted(each) for text, each in zip(texts, played, strict=True)]
-    for k, (text, each) in enumerate(zip(texts, played, strict=True)):
-        text.note(each, acted[k], acted[1 - k], undecided, differs)
+    (own, order), (others, other_order) = (text.acted(each) for text, each in zip(texts, played, strict=True))
+    both = own & others
+    is_usual = own == others and all(
+        [each for each in some if each in both] == [each for each in other_order[task] if each in both]
+        for task, some in order.items()
+        if task in other_order
+    )
+    for text, each in zip(texts, played, strict=True):
+        text.note(each, is_usual, undecided, differs)
 
 
 def _renamed(a: ChangedProgram, b: ChangedProgram) -> dict[str, str]:

@@ -128,7 +128,7 @@ def _way(report: Mapping[str, Any]) -> PlayedWay:
         acts.append(ComparedAct(each["time"], each["time"], 0, f"axis {each.get('axis')}", each["kind"]))
     acts.sort(key=lambda act: (bool(act.subject), act.begin))
     status, time = report["status"], report["time"]
-    return PlayedWay({"program": acts}, status, time, inf, {}, [], 0.0, frozenset(), frozenset())
+    return PlayedWay({"program": acts}, status, time, inf, {}, [], 0.0, frozenset(), frozenset(), {})
 
 
 def _shown(value: object) -> str:

@@ -71,7 +71,9 @@ def way_of(run: Run) -> PlayedWay:
         acts[owners.get(each.line, HANDLERS)].append(each)
     status = status_of(run, run.status)
     until = run.time if run.status == "until" else inf
-    return PlayedWay(dict(acts), status, run.time, until, places_of(run), [], 0.0, frozenset(), frozenset())
+    return PlayedWay(
+        dict(acts), status, run.time, until, places_of(run), [], 0.0, frozenset(), frozenset(), {}
+    )
 
 
 def _events(run: Run, line: Any) -> Iterator[ComparedAct]:

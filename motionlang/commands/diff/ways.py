@@ -225,17 +225,17 @@ class Player:
     def worlds(self) -> Iterator[tuple[str, Mapping[str, object]]]:
         """Yield worlds with their words: that of the likeliest cycle, and with other rules for a channel in it."""
         own = self.exploration.world.settings
-        yield "the world of init", own
+        yield "in the world of init", own
         turning = self.exploration.turning()
         if turning:
-            yield "encoders that turn", {**own, **turning}
+            yield "with encoders that turn", {**own, **turning}
         for (table, number), world in islice(self.exploration.neighbours(), WORLDS):
             own_entries = (each for each in entries(world, table) if number_in(table, each) == number)
             pairs = [
                 pair for each in own_entries for pair in each.items() if pair[0] not in keys_of(table, number)
             ]
             rule = ", ".join(f"{key} {value}" for key, value in pairs) or "as it is"
-            yield f"{Change(table, number, 0.0).subject} {rule}", world
+            yield f"with {Change(table, number, 0.0).subject} {rule}", world
 
     def _owner(self, line: int) -> str:
         title = self._owners.get(line, HANDLERS)
@@ -480,7 +480,7 @@ class _Comparison:
             found.unreached[side] = player.exploration.without(text.begun)
             found.uncompared[side] = text.lines(text.uncompared)
             found.one_sided[side] = text.one_sided
-            found.hidden[side] = text.lines(text.hidden)
+            found.hidden[side] = text.hidden
 
     def _alone(self, way: Way, a: PlayedWay, b: PlayedWay) -> str:
         """Return "A" or "B" if only that program goes on after the last change of a way; "" if both do."""

@@ -121,7 +121,7 @@ def _verb(count: int, verb: str) -> str:
 def way_words(way: Way, names: Names) -> str:
     """Return a way as an operator follows it: "start; part on; clamp closed on"."""
     if way.world is not None:
-        return f"with {way.words}"
+        return way.words
     steps = [_step(changes, names) for changes in _steps(way.timeline)]
     shown = (
         steps

@@ -75,8 +75,8 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.steps import Values as Values
     from motionlang.kernel.lang.steps import conditions as conditions
     from motionlang.kernel.lang.structure import ACTS as ACTS
-    from motionlang.kernel.lang.structure import LEADS as LEADS
     from motionlang.kernel.lang.structure import NAME as NAME
+    from motionlang.kernel.lang.structure import PRINTS as PRINTS
     from motionlang.kernel.lang.structure import READ as READ
     from motionlang.kernel.lang.structure import SET_UP as SET_UP
     from motionlang.kernel.lang.structure import WRITE as WRITE
@@ -108,7 +108,7 @@ PUBLIC = {
     "machine.layers": "is_key_of_entries layered with_key_of_entries",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
-    "structure": "ACTS LEADS NAME Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
+    "structure": "ACTS NAME PRINTS Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
     "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
     "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP conditions",

@@ -32,7 +32,8 @@ _UNKNOWN = "?"
 # Statements that only jump or end: the graph shows them.
 _JUMPS = (nodes.Exit, nodes.Return)
 # Statements that only lead elsewhere, or whose content is where their names are.
-_LEADING = (*_JUMPS, nodes.Jump, nodes.Label, nodes.Const, nodes.Define, nodes.Auto)
+_DEFINING = (nodes.Const, nodes.Define, nodes.Auto)
+_LEADING = (*_JUMPS, nodes.Jump, nodes.Label, *_DEFINING)
 # Kinds of keywords that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant", "statement"))
 # The codes of keys that a person presses, from the space on.
@@ -137,7 +138,7 @@ class FactsReader:
 
     def _simple(self, node: nodes.Stmt) -> None:
         made = self._add(node.start, self._text(node), [])
-        made.form = form(node)
+        made.form = "" if isinstance(node, _DEFINING) else form(node)
         is_call = isinstance(node, nodes.Call) and node.target.symbol is not None and not node.target.args
         if is_call or isinstance(node, _LEADING):
             made.effect = LEADS
