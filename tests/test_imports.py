@@ -38,7 +38,7 @@ LAZY = {
     "runtime.structure",
     "kernel/mint/program.py": "check.port resolve.definitions steps.structure syntax.extent syntax.layout",
     # Those that need one another.
-    "kernel/planners/curve.py": "sequence",
+    "kernel/planners/curve.py": "cubics",
     # Modules that few programs, or few commands, need.
     "hosts/client/client.py": "client.virtual",
     "hosts/client/mint.py": "client.virtual",

@@ -99,7 +99,10 @@ def test_the_source_distribution_is_whole(built: tuple[Path, Path]) -> None:
         here = {
             path.relative_to(ROOT).as_posix()
             for path in (ROOT / folder).rglob("*")
-            if path.is_file() and "__pycache__" not in path.parts and path.suffix not in (".pyc", ".table")
+            if path.is_file()
+            and "__pycache__" not in path.parts
+            and path.suffix not in (".pyc", ".table")
+            and path.parent.suffix != ".egg-info"
         }
         assert here <= names, sorted(here - names)[:5]
 

@@ -123,9 +123,13 @@ def approach(ramps: Ramps, start: float, target: float, speed: float, v0: float,
 
 def _recipe(rows: Sequence[Ramp], sign: float) -> Recipe:
     flat: list[float] = []
+    speed, velocity = 0.0, 0.0
     for u, time, kind, _ in rows:
-        flat += sign * u, time, kind
-    return (*flat, sign * rows[-1][3])
+        if u != speed:  # equal velocities are one object, since the log keeps each recipe
+            speed, velocity = u, sign * u
+        flat += velocity, time, kind
+    last = rows[-1][3]
+    return (*flat, sign * last if last else 0.0)
 
 
 def is_rounding(beyond: float, stopping: float, start: float, target: float) -> bool:
