@@ -8,7 +8,7 @@ counts against it, and a handler or a fault much more.
 from __future__ import annotations
 
 import re
-from collections import deque
+from collections import defaultdict, deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import chain
@@ -179,9 +179,15 @@ def _is_right(each: Transition) -> bool:
 
 def _loops(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
     count = 0
+    before: dict[RestState | None, list[RestState]] = defaultdict(list)
+    for state, node in nodes.items():
+        if state is not None:
+            for each in node.transitions:
+                before[each.target].append(state)
     for start, node in nodes.items():
         if start is None:
             continue
+        left = _distances(start, before)
         paths: deque[tuple[Transition, ...]] = deque([()])
         while paths and count < MAX_CYCLES:
             path = paths.popleft()
@@ -191,8 +197,28 @@ def _loops(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterat
                 if each.target == start:
                     count += 1
                     yield from _loop((*path, each), node, known)
-                elif each.target is not None and each.target not in on_path and len(path) + 1 < MAX_LENGTH:
+                elif (
+                    each.target not in on_path and len(path) + left.get(each.target, MAX_LENGTH) < MAX_LENGTH
+                ):
                     paths.append((*path, each))
+
+
+def _distances(
+    start: RestState, before: Mapping[RestState | None, Iterable[RestState]]
+) -> dict[RestState | None, int]:
+    """Return the fewest transitions by which states return to one, below the length of a cycle.
+
+    `before` are the states that lead to each state.
+    """
+    found: dict[RestState | None, int] = {start: 0}
+    waiting = deque([start])
+    while waiting:
+        here = waiting.popleft()
+        for each in before.get(here, ()) if found[here] + 1 < MAX_LENGTH else ():
+            if each not in found:
+                found[each] = found[here] + 1
+                waiting.append(each)
+    return found
 
 
 def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -> Iterator[MachineCycle]:
