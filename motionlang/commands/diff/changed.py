@@ -24,6 +24,8 @@ from motionlang.kernel import Program
 from motionlang.kernel.lang import ACTS, NAME, PRINTS
 
 _NAMES = re.compile(rf"{NAME}\w+")
+# The formats of a value that is printed.
+_FORMATS = re.compile(r"(?<=PrintItem )\S* \([^()]*\)")
 # A statement in a comparison: the number of its pair, or its form.
 Key = int | str
 # Leads to a statement that has changed itself.
@@ -48,6 +50,8 @@ class ChangedProgram:
         tests = {at for at, each in statements.items() if each.condition and at not in program.offsets}
         self._played = self._offsets | tests
         self.changed: set[int] = set()
+        # Those of them that print the same values in another format, which the text shows whenever they print.
+        self.formats: set[int] = set()
         # The statements that began in the ways so far, and how conditions came out there.
         self.begun: set[int] = set()
         self.outcomes: set[tuple[int, int, bool]] = set()
@@ -89,6 +93,14 @@ class ChangedProgram:
     def _effect(self, at: int) -> str:
         return self.structure.statements[at].effect
 
+    @property
+    def _values(self) -> set[int]:
+        return {at for at in self.changed - self.formats if self._effect(at) == PRINTS}
+
+    def printed(self) -> dict[int, str]:
+        """Return the forms of the changed statements that print, without their formats."""
+        return {at: _FORMATS.sub("", self.forms[at]) for at in self._values}
+
     def note(self, played: PlayedWay, is_usual: bool, undecided: Set[int], differs: bool) -> None:
         """Take note of a way.
 
@@ -103,14 +115,14 @@ class ChangedProgram:
         if differs:
             self._shown |= some
         elif not is_usual:
-            self._silent |= {at for at in some if self._effect(at) != PRINTS}
+            self._silent |= some - self.formats
         self._silent |= {at for at in some if self.structure.line(at) in undecided}
 
     def acted(self, played: PlayedWay) -> tuple[set[Key], dict[str, list[Key]]]:
-        """Return what acted in a way, and for each task the order in which it began."""
+        """Return what acted in a way, or printed changed values, and for each task the order in which it began."""
         begun = played.begun | {at for at, _, _ in played.outcomes}
         keys = {at: self.pairs.get(at, self.forms[at]) for at in begun if at in self.forms}
-        acts = {at for at in keys if self._effect(at) == ACTS}
+        acts = {at for at in keys if self._effect(at) == ACTS or at in self._values}
         order = {task: [keys[at] for at in some if at in acts] for task, some in played.order.items()}
         return {keys[at] for at in acts}, order
 
@@ -161,6 +173,9 @@ def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedPro
     numbers = [{both[side]: k for k, both in enumerate(pairs)} for side in (0, 1)]
     first.pairs, second.pairs = numbers
     first.changed, second.changed = old.keys() - numbers[0].keys(), new.keys() - numbers[1].keys()
+    bare = first.printed(), second.printed()
+    for text, texts, others_texts in ((first, *bare), (second, *bare[::-1])):
+        text.formats = {at for at, each in texts.items() if each in others_texts.values()}
     leads = first.following(numbers[0]), second.following(numbers[1])
     for one, other in pairs:
         here, there = leads[0].get(one, []), leads[1].get(other, [])

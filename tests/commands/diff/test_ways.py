@@ -203,6 +203,10 @@ VERDICTS = [
     (LOOP.format("  MOVER(0) = 10"), "MOVER", "MOVEA", "line 5 changed, and nothing that was played depends on it"),
     (LOOP.format(" OUTX(1) = 1") + "Event IN5\n  n = 1\nEnd Event\n", "IN5", "IN6",
      "line 8 changed, and nothing that was played depends on it"),
+    # A level and a variable that are printed.
+    (LOOP.format("  PRINT ADC(0) * 10"), "* 10", "* 12", "A '410.0000' after 0.00 s, B '492.0000'"),
+    (LOOP.format("  n = 7\n  PRINT n"), "PRINT n", "PRINT b + 7",
+     "line 6 changed, and nothing that was played depends on it"),
     # A statement that is written twice, and two that are swapped.
     (LOOP.format("  If INX(2) Then\n    n = 0\n  Else\n    n = n + 1\n  End If\n  n = n * 2\n  n = 0"),
      "    n = 0\n", "",
