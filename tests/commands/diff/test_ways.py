@@ -183,8 +183,9 @@ VERDICTS = [
     (COUNT, 'PRINT "full" : ', "", "A 'full' after 35.70 s, B does not"),
     (LOOP.format('  t = TIME\n  PAUSE Not INX(1)\n  If TIME - t > 2000 Then PRINT "long"'), '"long"', '"LONG"',
      "A 'long' after 0.00 s, B 'LONG'"),
-    (HEAD + 'Dim t As Integer\nLoop\n  t = TIME\n  PAUSE INX(1) Or TIME - t > 150000\n  PRINT "on"\n'
-     "  PAUSE Not INX(1)\nEnd Loop\n", "150000", "190000", "start (200 s apart): 'on' comes 40.000 s later in B"),
+    pytest.param(HEAD + 'Dim t As Integer\nLoop\n  t = TIME\n  PAUSE INX(1) Or TIME - t > 150000\n  PRINT "on"\n'
+     "  PAUSE Not INX(1)\nEnd Loop\n", "150000", "190000", "start (200 s apart): 'on' comes 40.000 s later in B",
+     marks=pytest.mark.slow),
     # An output that is off at the same time, an input that comes as often as it must, and the place of a text.
     (LOOP.format(f"  MOVEA(0) = 100 : GO(0)\n  PAUSE POS(0) > 60\n  OUTX(3) = 1\n  PAUSE IDLE(0)\n  OUTX(3) = 0\n"
                  f"  MOVEA(0) = 0{GO}"), "> 60", "> 70", "output 3 on comes 0.100 s later in B"),

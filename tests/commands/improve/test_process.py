@@ -177,6 +177,7 @@ def test_a_comment_two_lines_above_counts_and_its_word_only_for_the_next_speed()
     assert held(text) == {"SPEED[0]@4": "the comment of line 2 says slowly"}
 
 
+@pytest.mark.slow
 @cases("uses, reason", [
     ("OUTX(1) = 1 : Wait(v) : OUTX(1) = 0\n", "line 5 waits 0.12 s by it"),
     ("TIME = 0 : Pause TIME > 12000 / v\n", "line 5 waits 0.101 s by it"),
