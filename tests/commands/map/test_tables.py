@@ -139,6 +139,16 @@ def test_registers_of_mccl() -> None:
     assert (found["20"].writes, found["20"].reads) == ([1], [2])
 
 
+def test_a_register_is_set_to_what_alone_the_accumulator_has_loaded() -> None:
+    found = made("MD1,GA1,AR30,IG5.5,MJ30\nMD2,AL7,AR31,AA1,AR32,GA2,AR33,MJ@33\nMC1\n", "mccl")
+    assert [each.given for each in found.variables] == [
+        {"analogue input 1": [1]},
+        {"7": [2]},
+        {},
+        {"analogue input 2": [2]},
+    ]
+
+
 def test_registers_macros_and_keys_have_names() -> None:
     found = made("; reg 24 pitch\nAL5,AR24\n; macro 3: advance\nMD3,1MR@24\nMC3\n", "mccl")
     assert [(each.name, each.meaning) for each in found.variables] == [("24", "pitch")]

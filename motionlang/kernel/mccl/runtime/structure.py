@@ -81,11 +81,13 @@ def structure(
         if command.function == "store"
     }
     for steps in lists:
-        for pc, _, constant in _set(steps):
+        for pc, _, loaded in _set(steps):
             step, command = steps[pc], steps.command(pc)
             at = step.at + len(command.text) - len(str(command.number)) if command is not None else -1
-            if at in writes and constant is not None:
-                writes[at] = str(constant)
+            if at in writes and loaded is not None and loaded.row is not None:
+                constant = _constant(loaded)
+                channel = f"{loaded.row.channel} {_parameter(loaded)}" if loaded.row.channel else ""
+                writes[at] = channel if constant is None else str(constant)
     used = frozenset[int]().union(*(use.reads | use.sets for use in graph.uses if use is not None))
     registers = {n: f"register {n if n >= 0 else -1 - n}" for n in sorted(used)}
     return Structure(source, statements, graph, units, writes, registers, has_one_series=True)
@@ -101,18 +103,23 @@ def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
             steps.called[pc] = (above or found)[-1], 0
 
 
-def _set(steps: LineSteps) -> Iterator[tuple[int, int, int | None]]:
-    """Yield the registers that a line sets: the step, the register, and its value if that is a constant."""
-    constant: int | None = None
+def _set(steps: LineSteps) -> Iterator[tuple[int, int, Command | None]]:
+    """Yield the registers that a line sets: the step, the register, and the command that alone has loaded its value."""
+    loaded: Command | None = None
     for pc, (step, use) in enumerate(zip(steps, steps.uses, strict=True)):
         command = steps.command(pc)
         if use is None or step.kind == BEGIN or command is None:
             continue
-        yield from ((pc, register, constant) for register in use.sets - {ACCUMULATOR})
+        yield from ((pc, register, loaded) for register in use.sets - {ACCUMULATOR})
         if ACCUMULATOR in use.sets:
-            constant = command.number if not use.reads else None
+            loaded = None if use.reads else command
         if step.kind in (CALL, ENTER):
-            constant = None
+            loaded = None
+
+
+def _constant(loaded: Command | None) -> int | None:
+    """Return the number that a command loads into the accumulator, None for one that is not known before the run."""
+    return loaded.number if loaded is not None and loaded.function == "load" else None
 
 
 def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) -> dict[str, Steps]:
@@ -123,8 +130,8 @@ def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) 
     calls: dict[int, list[tuple[LineSteps, int]]] = {}
     given: dict[int, set[int | None]] = {}
     for steps in lists:
-        for _, register, constant in _set(steps):
-            given.setdefault(register, set()).add(constant)
+        for _, register, loaded in _set(steps):
+            given.setdefault(register, set()).add(_constant(loaded))
         for pc, step in enumerate(steps):
             command = steps.command(pc)
             if step.kind in (CALL, ENTER) and command is not None and command.kind == REGISTER:
