@@ -68,6 +68,14 @@ class Use:
         """Return the value for the n-th axis; the last value applies to all further axes."""
         return self.values[min(number, len(self.values) - 1)] if self.values else _NOTHING
 
+    def of_axis(self, number: int) -> Written:
+        """Return the value for the n-th axis, with all further ones for the last, which may stand for those of AXES."""
+        left = self.values[number:] if number == len(self.axes) - 1 else ()
+        if len(left) < 2:
+            return self.value(number)
+        known = None if any(each.number is None for each in left) else left[0].value
+        return Written(", ".join(each.text for each in left), known)
+
     def number(self, number: int) -> float | None:
         """Return the value for the n-th axis, None if it is unknown before the run."""
         return self.value(number).number
@@ -150,7 +158,7 @@ class Statement:
     def axes(self) -> list[AxisUse]:
         """The commands and settings for axes, each for one of them."""
         return [
-            AxisUse(axis if isinstance(axis, int) else None, use.row, self.at, *use.value(k))
+            AxisUse(axis if isinstance(axis, int) else None, use.row, self.at, *use.of_axis(k))
             for use in self.uses
             if use.row is not None and use.row.topic and use.role != "read" and use.row.access != "R"
             for k, axis in enumerate(use.axes)

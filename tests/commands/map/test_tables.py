@@ -114,6 +114,14 @@ def test_axes_have_literal_and_computed_moves() -> None:
     assert [fact.keyword for fact in found[1].of("master")] == ["MASTERSOURCE"]
 
 
+def test_values_and_conditions_are_whole() -> None:
+    text = 'AXES[0, 1]\nSPEED = 5, (6 + 1) * 2\nPAUSE (INX.0 AND INX.1) OR INX.2\nPRINT ":)", (INX.3)\n'
+    found = made(text)
+    assert [fact.text for fact in found.axes[0].facts] == ["SPEED = 5, (6 + 1) * 2"]
+    assert list(channel(text, "input 0").decides) == ["3: (INX.0 AND INX.1) OR INX.2"]
+    assert found.structure.statements[text.index("PRINT")].text == 'PRINT ":)", (INX.3)'
+
+
 def test_units_and_what_nothing_reaches() -> None:
     text = "Fill\nRun Lamp\nGOTO Over\nPRINT 1\nPRINT 2\n#Over\nSub Fill\n  PRINT 3\nEnd Sub\n"
     text += "Sub Spare\n  PRINT 4\nEnd Sub\nTask Lamp\n  Fill\nEnd Task\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Container, Iterator, Sequence
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -36,6 +37,8 @@ _DEFINING = (nodes.Const, nodes.Define, nodes.Auto)
 _LEADING = (*_JUMPS, nodes.Jump, nodes.Label, *_DEFINING)
 # Kinds of keywords that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant", "statement"))
+# A text, and the code of a character.
+_QUOTED = re.compile(r"\"[^\"]*\"|'.'")
 # The codes of keys that a person presses, from the space on.
 _FIRST_KEY, _LAST_KEY = 32, 126
 
@@ -299,8 +302,9 @@ class FactsReader:
 
     def _text(self, node: nodes.Node) -> str:
         """Return a part of the program as it is written, on one line and without comments."""
-        text = self.source.text[node.start : node.end]
-        return " ".join(text.split())
+        text = " ".join(self.source.text[node.start : node.end].split())
+        code = _QUOTED.sub("", text)
+        return "(" * (code.count(")") - code.count("(")) + text  # a node in brackets begins behind them
 
 
 def axes_of(
