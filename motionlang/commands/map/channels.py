@@ -85,11 +85,12 @@ def channels(
     structure: Structure,
     settings: Mapping[str, object],
     names: Sequence[Named],
-    remarks: Mapping[int, str],
+    remarks: Mapping[int, tuple[str, str]],
 ) -> list[Channel]:
     """Return the channels of a program, in the order of `CHANNELS` and their numbers.
 
-    `names` are those of the comments that list channels, `remarks` the names behind code, by line.
+    `names` are those of the comments that list channels, `remarks` the names behind code, by line, with the
+    number of a channel or "".
     """
     found: dict[tuple[str, str], Channel] = {}
     in_loops = polled(structure)
@@ -194,11 +195,12 @@ def _name(
     channels: Collection[Channel],
     settings: Mapping[str, object],
     names: Sequence[Named],
-    remarks: Mapping[int, str],
+    remarks: Mapping[int, tuple[str, str]],
 ) -> None:
     """Name channels by the machine file, by a list in comments, or by the remark on the only reading of one alone.
 
-    A number in a list of channels names the input, or the output if no input has it.
+    A remark such as "3 = gate" names that channel of its line. A number in a list of channels names the input, or the
+    output if no input has it.
     """
     listed = {(each.kind, str(each.number)): each for each in reversed(names)}
     inputs = {each.number for each in channels if each.kind == "input"}
@@ -216,13 +218,15 @@ def _name(
         name = next((str(each["name"]) for each in given if each.get("name")), "")
         is_either = kind == "input" or (kind == "output" and number not in inputs)
         found = listed.get((kind, number)) or (listed.get(("channel", number)) if is_either else None)
-        line = channel.lines[0] if len(channel.names_at) == 1 and channel.lines else 0
+        numbered = (at for at in channel.lines if remarks.get(at, ("", ""))[0] == number)
+        line = next(numbered, channel.lines[0] if len(channel.names_at) == 1 and channel.lines else 0)
+        remark = remarks.get(line, ("?", ""))
         if name:
             channel.name, channel.named_by = name, "machine file"
         elif found is not None:
             channel.name, channel.named_by = found.name, f"comment, line {found.line}"
-        elif line in remarks and users[line] == 1 and line not in channel.writes:
-            channel.name, channel.named_by = remarks[line], f"comment, line {line}"
+        elif remark[0] == number or (not remark[0] and users[line] == 1 and line not in channel.writes):
+            channel.name, channel.named_by = remark[1], f"comment, line {line}"
 
 
 def order_of(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:

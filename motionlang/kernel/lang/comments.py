@@ -34,8 +34,8 @@ from motionlang.kernel.source import Source
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
     "input": "d?i|i/?p|in(?:p(?:ut)?)?s?x?|din",
-    "output": "d?[oq]|o/?p|out(?:p(?:ut)?)?s?x?|dout",
-    "channel": "ch(?:an(?:nel)?)?s?",
+    "output": r"d?[oq]|y(?=\d)|o/?p|out(?:p(?:ut)?)?s?x?|dout",
+    "channel": "ch(?:an(?:nel)?)?s?|i/o",
     "analogue input": "adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
     "axis": "ax(?:is|es)?",
@@ -67,9 +67,10 @@ _END = re.compile(
     r"|\s+(?=\d{1,3}(?:\s*=|-\d))",
     re.IGNORECASE,
 )
-# Words at the begin of a sentence, and those that only a sentence has: it is no name.
+# Words at the begin of a sentence, and those that only a sentence has: it is no name. "Cup is down" is a sensor's.
 _SENTENCE = re.compile(
-    r"(?:and|as|at|by|for|from|has|if|of|only|or|to|until|wait|when|while|with)\b|.*\b(?:are|be|is|let|must|was)\b",
+    r"(?:and|as|at|by|for|from|has|if|of|only|or|to|until|wait|when|while|with)\b|.*\b(?:are|be|let|must|was)\b"
+    r"|(?!\w.*\sis\s\w+$).*\bis\b",
     re.IGNORECASE,
 )
 _MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*|]*", re.IGNORECASE)
@@ -79,8 +80,8 @@ _BRACKETS = re.compile(r"\((?!\s*\d+\s*\))[^()]*\)")
 _LETTER = re.compile(r"\b([A-Z])\s*=\s*(\d)\b")
 # A channel that is an output: "CH 9 OUT vibrator", "CH9 red lamp (out)".
 _OUT = re.compile(r"(?:^|\()out(?:put)?\b\)?\s*", re.IGNORECASE)
-# A remark that may be a name has at most three words.
-_REMARK = re.compile(r"[A-Za-z][\w/.-]*(?: [\w/.-]+){0,2}")
+# A remark that may be a name has at most three words; a number before it, none of a level, is that of the channel.
+_REMARK = re.compile(r"(?:([2-9]|\d\d+) ?= ?)?([A-Za-z][\w/.-]*(?: [\w/.-]+){0,2})")
 MAX_NAME = 40
 # How far from its column a number may be, in characters.
 REACH = 3
@@ -271,11 +272,14 @@ def comments_of(source: Source, language: Dialect) -> tuple[list[tuple[int, str]
     return own, behind
 
 
-def remarks(source: Source, language: Dialect) -> dict[int, str]:
-    """Return the comments behind code that may be names, by line: nouns of a few words."""
+def remarks(source: Source, language: Dialect) -> dict[int, tuple[str, str]]:
+    """Return the comments behind code that may be names, by line: nouns of a few words, with a number or ""."""
     shown = {line: without_marks(text) for line, text in comments_of(source, language)[1].items()}
+    found = ((line, _REMARK.fullmatch(text)) for line, text in shown.items())
     return {
-        line: text for line, text in shown.items() if _REMARK.fullmatch(text) and not _SENTENCE.match(text)
+        line: (match[1] or "", match[2])
+        for line, match in found
+        if match is not None and not _SENTENCE.match(match[2])
     }
 
 
@@ -368,13 +372,14 @@ def _certain(items: Sequence[_Item]) -> list[_Item]:
     """Return the items of a list without the numbers that are part of a name.
 
     A loose number begins an item if the list counts on with it up to the next one that is certain; behind the last of
-    these, if it does so everywhere before.
+    these, if it does so everywhere before. A list that has counted to its third number may leave out some later on.
     """
     found: list[_Item] = []
     is_style = True
     for begin, end in pairwise([*(k for k, each in enumerate(items) if not each.is_loose), len(items)]):
         numbers = [each.number for each in items[begin : end + 1]]
-        counts_on = all(number == before + 1 for before, number in pairwise(numbers))
+        steps = [number - before for before, number in pairwise(numbers)]
+        counts_on = all(step == 1 for step in steps) or (steps[:2] == [1, 1] and min(steps) > 0)
         is_style &= counts_on and end - begin > 1
         found += items[begin : end if is_style or (counts_on and end < len(items)) else begin + 1]
     return found

@@ -30,6 +30,9 @@ def channel(text: str, title: str, language: str = "mint", **settings: object) -
         ("PAUSE INX(3)   ' until the ram is up", ""),
         ("PAUSE INX(3)   ' ends at the very moment of the edge", ""),
         ("PAUSE INX(3)   ' guard\nPRINT INX(3)", ""),
+        ("PAUSE INX(3) AND INX(4)   ' 3 = guard\nPRINT INX(3)", "guard"),
+        ("PAUSE INX(3)   ' 4 = guard", ""),
+        ("PAUSE INX(3) = 0   ' 0 = guard", ""),
     ],
 )
 def test_a_remark_names_the_channel_that_its_line_alone_reads(line: str, wanted: str) -> None:
