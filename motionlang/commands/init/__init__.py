@@ -8,6 +8,7 @@ menu.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -65,7 +66,8 @@ class Draft:
 
 def slug(text: str) -> str:
     """Return a text as a part of a file name: words of letters and digits with dashes between them."""
-    words = "".join(_SPOKEN.get(each, each.lower() if each.isalnum() else " ") for each in text).split()
+    spoken = re.sub(r"(?<=\w)-", " ", text)
+    words = "".join(_SPOKEN.get(each, each.lower() if each.isalnum() else " ") for each in spoken).split()
     return "-".join(words)
 
 

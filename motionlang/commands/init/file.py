@@ -6,7 +6,7 @@ Each guess is preceded by the line of the program that needs it.
 from __future__ import annotations
 
 import os
-from math import ceil, floor, isclose
+from math import ceil, floor, inf, isclose
 
 from motionlang.commands.init import Choice, Draft, at_last_move, cycle_text, ending
 from motionlang.commands.map.program_map import channels_of
@@ -129,12 +129,12 @@ def machine_text(draft: Draft, until: float, target: Target) -> str:
 def _cycles(draft: Draft) -> str:
     """Return the comment about the cycle, and the next two."""
     exploration, cycle = draft.exploration, draft.run.cycle
-    found = [each for each in exploration.cycles if each.work]
+    found = [(number, each) for number, each in enumerate(exploration.cycles, start=1) if each.work]
     if not found:
         return ""
     chosen = draft.world.cycle
     lines = [f"# cycle: {cycle_text(exploration, chosen, None if cycle is None else cycle.period)}"]
-    for number, each in enumerate(found, start=1):
+    for number, each in found:
         if each is not chosen and len(lines) < MAX_LINES:
             said = dict.fromkeys(each.said[-MAX_LINES:])
             prints = f", prints {', '.join(said)}" if said else ""
@@ -322,8 +322,8 @@ def _axis(number: int, switches: str, result: Run) -> str:
         high = ceil(high * 10**places - SLACK) / 10**places
     digits = ".6g" if places is None else ".10g"
     text += f"{LIMITS}# limits.position = [{low:{digits}}, {high:{digits}}]\n"
-    text += f"# limits.speed = {speed:.6g}\n# limits.acceleration = {rate:.6g}\n"
-    return text
+    text += f"# limits.speed = {speed:.6g}\n"
+    return text + (f"# limits.acceleration = {rate:.6g}\n" if rate < inf else "")
 
 
 def _places(number: int, result: Run) -> int | None:

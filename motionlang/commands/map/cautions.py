@@ -103,9 +103,16 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
         f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
     }
     cut_off = exploration.cut_off()
+    channels: dict[str, list[Change]] = defaultdict(list)
     for one in sorted(cut_off, key=lambda each: (each.table, each.number, each.value)):
-        unit = units.get(one.subject)
-        yield names.of(one), f"cuts off moves of {_lines(cut_off[one])}{f' by {unit}' if unit else ''}"
+        channels[one.subject].append(one)
+    for subject, (first, *others) in channels.items():
+        cuts = [f"cuts off moves of {_lines(cut_off[first])}"]
+        cuts += [
+            f"{names.of(one).removeprefix(names[subject]).strip()} those of {_lines(cut_off[one])}"
+            for one in others
+        ]
+        yield names.of(first), f"{', '.join(cuts)}{f' by {units[subject]}' if subject in units else ''}"
 
 
 def _on_in_motion(run: Run, beside: Iterable[int]) -> dict[int, set[int]]:

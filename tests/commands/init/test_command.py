@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import io
 import sys
+from math import inf
 
 import pytest
 
+from motionlang.commands.init import slug
 from motionlang.kernel import Source, read_machine
 from tests.cli.programs import Cell
 
@@ -554,3 +556,28 @@ def test_a_machine_that_only_rejects_is_no_success(cell: Cell) -> None:
         "note: to find by hand what leads there: motionlang panel old.mnt\n"
     )
     assert cell("verify", "old.mnt").status == 0
+
+
+def test_a_hyphen_of_a_word_is_no_minus() -> None:
+    assert [slug(each) for each in ("-", "answer -5", "re-load part", "stop +")] == [
+        "minus", "answer-minus-5", "re-load-part", "stop-plus"
+    ]  # fmt: skip
+
+
+def test_the_head_numbers_the_cycles_as_the_option_does(cell: Cell) -> None:
+    cut = "MOVER.0 = 100 : GO.0 : WAIT = 500 : STOP.0 : PAUSE IDLE.0 : PAUSE NOT INX.3"
+    lamp = 'OUTX.1 = 1 : PRINT "flushed" : PAUSE NOT INX.2 : OUTX.1 = 0'
+    piece = f"IF INX.1 THEN {STROKE.strip()} : PAUSE NOT INX.1"
+    guesses(cell, program(f"LOOP\n{piece}\nIF INX.2 THEN {lamp}\nIF INX.3 THEN {cut}\nENDL\n"))
+    assert "#   --cycle 3: 3 → 5, input 3, axis 0" in (cell.folder / "old.machine.toml").read_text()
+
+
+def test_an_infinite_acceleration_is_no_figure_to_fill_in(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(
+        "motionlang.commands.init.file._figure", lambda name, run: inf if "accel" in name else 1.0
+    )
+    guesses(cell, PIECE)
+    shown = (cell.folder / "old.machine.toml").read_text()
+    assert ("# limits.speed = 1\n" in shown, "limits.acceleration" in shown) == (True, False)

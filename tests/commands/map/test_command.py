@@ -194,6 +194,13 @@ def test_the_first_screen_has_the_cycle_its_start_and_its_alarms(cell: Cell) -> 
     assert shown[-1].startswith("--all shows")
 
 
+def test_both_levels_that_cut_off_moves_are_one_sentence(cell: Cell) -> None:
+    stroke = "MOVEA(0) = {} : GO(0)\nWhile Not IDLE(0)\n  If INX(7) = {} Then STOP(0)\nEnd While\n"
+    text = f"Loop\nPause INX(1)\n{stroke.format(50, 1)}Pause INX(7)\n{stroke.format(0, 0)}Pause INX(1) = 0\nEnd Loop\n"
+    cell.write("a.mnt", f"SPEED(0) = 100 : ACCEL(0) = 1000\n{text}")
+    assert "  input 7 off cuts off moves of line 9, on those of line 4\n" in cell("map", "a.mnt").out
+
+
 def test_the_statements_of_a_unit(program: Cell) -> None:
     assert program("map", "a.mnt", "--unit", "program").out == UNIT
     assert program("map", "a.mnt", "--unit", "spare").out.splitlines()[0] == "sub Spare, line 16"
