@@ -21,7 +21,7 @@ from motionlang.commands.cover import coverage
 from motionlang.commands.diff.acts import ComparedActs, PlayedWay
 from motionlang.commands.diff.align import aligned
 from motionlang.kernel import Program
-from motionlang.kernel.lang import ACTS, NAME, PRINTS
+from motionlang.kernel.lang import ACTS, NAME, PRINTS, UNTIL
 
 _NAMES = re.compile(rf"{NAME}\w+")
 # The formats of a value that is printed.
@@ -74,8 +74,10 @@ class ChangedProgram:
         """The lines of changed conditions that came out in one way only, with the outcome that is missing."""
         counts = dict.fromkeys(self.outcomes, 1)
         found = coverage(self.structure, self.program.offsets, counts).conditions
+        # The step of a loop that ends where its condition is true goes on if that is false.
+        ends = {point.at for point in self.structure.points if point.role == UNTIL}
         return {
-            each.line: bool(each.false) is not self.structure.statements[each.at].text.startswith("Until")
+            each.line: bool(each.false) is (each.at not in ends)
             for each in found
             if each.at in self.changed and bool(each.true) is not bool(each.false)
         }

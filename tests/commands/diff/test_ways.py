@@ -197,6 +197,7 @@ VERDICTS = [
      "not compared: line 9"),
     ('Dim k As Integer\nk = 1\nSelect Case k\nCase 1\n  PRINT "one"\nCase Else\n  PRINT "two"\nEnd Select\n',
      "Case 1", "Case 1, 1", "never false: line 4"),
+    (LOOP.format("  Repeat\n    n = n + 1\n  Until n > 0"), "n > 0", "n >= 1", "never false: line 7"),
     (LOOP.format("  n = 5 : OUTX(1) = 1"), "n = 5", "n = 6",
      "line 5 changed, and nothing that was played depends on it"),
     (LOOP.format("  OUTX(1) = ADC(0) > 60"), "Integer, b", "Float, b",
