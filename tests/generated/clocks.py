@@ -66,6 +66,10 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
     if random.random() < 0.2:
         body.append(f"WAIT({random.choice((1, 2, 5))})")
     random.shuffle(body)
+    apart = Random(f"sub of {seed}")
+    if apart.random() < 0.4:
+        body, subs = _in_subs(apart, body)
+        tail += subs
     loop = [
         "Loop",
         *(f"  {each}" for each in body),
@@ -84,6 +88,22 @@ def program(seed: int) -> tuple[str, dict[str, object]]:
     ]
     made = "\n".join([*lines, *loop, *loop, "End", *tail]).replace("Exit Loop\n  End", "Exit Loop\n  End")
     return made, {"controller.instruction_time": random.choice(COSTS), "run.until": UNTIL, "input": inputs}
+
+
+def _in_subs(random: Random, body: list[str]) -> tuple[list[str], list[str]]:
+    """Return some statements with calls of subs in place of others, maybe with a loop inside, and these subs."""
+    subs: list[str] = []
+    for k, each in enumerate(body):
+        if "Exit" in each or random.random() < 0.4:
+            continue
+        if random.random() < 0.3:
+            each = _filled(
+                random, f"If # And TIME - t1 ? @ Then\n    While #\n      {each}\n    End While\n  End If"
+            )
+        body[k] = f"Sub{k}(n)" if random.random() < 0.2 else f"Sub{k}"
+        parameter = "v As Integer" if body[k].endswith(")") else ""
+        subs += [f"Sub {body[k].split('(')[0]}({parameter})", f"  {each}", "End Sub"]
+    return body, subs
 
 
 def _filled(random: Random, text: str) -> str:

@@ -444,8 +444,7 @@ class Loops:
         (notes,) = [
             read.since(self.world.dependencies.notes or []) for each, read in last.read if each is task
         ]
-        copies = {mark for mark, _ in notes or () if type(mark) is Copy}
-        return body.overwritten.union(each.variable for each in copies if body.is_set_first(each))
+        return body.overwritten | body.set_first(notes or ())
 
     def _only_counts(self, task: StepTask, now: LoopState, last: LoopState) -> bool:
         """True if the changing numbers are only added and compared, and add up exactly."""

@@ -99,6 +99,8 @@ class Uses(NamedTuple):
     spans: frozenset[int] = frozenset()
     # The variables that it changes in part: an element or a member.
     parts: frozenset[int] = frozenset()
+    # Those among `sets` that it sets to a reading, which says so.
+    copies: frozenset[int] = frozenset()
 
 
 NOTHING = Uses()

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from motionlang.kernel.lang.change_times import Note
-from motionlang.kernel.lang.steps import BACK, CALL, ENTER, GO, Steps, Uses
+from motionlang.kernel.lang.steps import CALL, ENTER, GO, RETURN, Steps, Uses
 
 NONE: frozenset[int] = frozenset()
 
@@ -35,7 +35,12 @@ class IterationUses:
     # By the index of a step: the variables whose values are then used for more than tests.
     used_after: Sequence[frozenset[int]] = ()
     uses: Sequence[Uses | None] = ()
+    # These are set to more than readings, or read in more than tests that say what they read.
+    otherwise: frozenset[int] = NONE
+    # Its steps and the first one, and whether it calls others.
+    steps: Steps | None = None
     first: int = 0
+    calls: bool = False
 
     def is_linear(self, variable: int) -> bool:
         """True if a variable is only added and compared."""
@@ -45,15 +50,34 @@ class IterationUses:
         """True if no iteration uses what a step has stored for more than tests."""
         return (
             copy.variable in self.overwritten
+            and self._has(copy)
             and copy.variable not in self.used_after[copy.step + 1 - self.first]
         )
 
-    def is_set_first(self, copy: Copy) -> bool:
-        """True if an iteration that has carried out the step of a copy has not read the variable before."""
-        before = self.uses[: max(copy.step + 1 - self.first, 0)]
-        return bool(before) and not any(
-            use is None or copy.variable in use.reads | use.parts for use in before
+    def set_first(self, notes: Iterable[Note]) -> frozenset[int]:
+        """Return the variables that the iteration with some notes has set to a reading before it used them."""
+        firsts: dict[int, object] = {}
+        for mark, _ in notes:
+            if isinstance(mark, Copy | Span):
+                firsts.setdefault(mark.variable, mark)
+        return frozenset(
+            variable
+            for variable, mark in firsts.items()
+            if isinstance(mark, Copy)
+            and (self._is_only_taken(variable) or (self._has(mark) and self._precedes(mark)))
         )
+
+    def _has(self, copy: Copy) -> bool:
+        return copy.steps is self.steps and 0 <= copy.step - self.first < len(self.uses)
+
+    def _precedes(self, copy: Copy) -> bool:
+        """True if no step before that of a copy reads the variable."""
+        before = self.uses[: copy.step + 1 - self.first]
+        return not any(use is None or copy.variable in use.reads | use.parts for use in before)
+
+    def _is_only_taken(self, variable: int) -> bool:
+        """True if a variable is only set to readings, and only read in tests that say what they read."""
+        return variable not in self.otherwise and (variable >= 0 or not self.calls)
 
     def clocks(
         self, notes: Iterable[Note], overwritten: frozenset[int], ticks: object, milliseconds: float
@@ -64,23 +88,14 @@ class IterationUses:
         whose level lies beyond.
         """
         found: defaultdict[int, set[tuple[Any, ...]]] = defaultdict(set)
-        steps: defaultdict[int, set[int]] = defaultdict(set)
         for mark, about in notes:
-            if isinstance(mark, Copy) and mark.is_whole and about[0] == ticks:
-                found[mark.variable].add((about[2], about[1]))
-                steps[mark.variable].add(mark.step)
+            if isinstance(mark, Copy):
+                found[mark.variable].add((about[2], about[1]) if mark.is_whole and about[0] == ticks else ())
             elif isinstance(mark, Span):
                 is_far = isinstance(mark.level, int | float) and not 0 <= mark.level <= milliseconds + 2
                 found[mark.variable].add(about[:2] if is_far else ())
-        for step, use in enumerate(self.uses, self.first):
-            for variable in found:
-                if use and (
-                    variable in use.reads - use.spans
-                    or (variable in use.sets | use.parts) is not (step in steps[variable])
-                ):
-                    found[variable].add(())
         is_one = {each for each, clocks in found.items() if len(clocks) == 1 and () not in clocks}
-        return is_one & overwritten
+        return {each for each in is_one & overwritten if self._is_only_taken(each)}
 
 
 UNKNOWN = IterationUses()
@@ -90,6 +105,7 @@ UNKNOWN = IterationUses()
 class Copy:
     """A dependency of a reading that a step stores in a variable: it concerns only those who use the variable."""
 
+    steps: Steps
     step: int
     variable: int
     # True if it stores the reading itself, and no sum.
@@ -111,36 +127,96 @@ class Span:
 
 
 def body_of(steps: Steps, first: int, last: int) -> IterationUses:
-    """Return what the steps from `first` to the jump back at `last` do with variables."""
-    uses = steps.uses[first : last + 1]
+    """Return what the steps from `first` to the jump back at `last` do with variables.
+
+    An iteration goes on forward, so it has carried out no loop within it.
+    """
     inside = list(enumerate(steps[first:last], first))
-    if None in uses or any(
-        step.kind in (CALL, ENTER) or (step.kind in (BACK, GO) and step.to <= pc) for pc, step in inside
+    uses = [_of_call(steps, pc) if step.kind == CALL else steps.uses[pc] for pc, step in inside]
+    uses.append(steps.uses[last])
+    known = [each for each in uses if each is not None]
+    if len(known) < len(uses) or any(
+        step.kind == ENTER or (step.kind == GO and step.to < 0) for _, step in inside
     ):
         return UNKNOWN
-    live = _backward(steps, first, last, False, lambda use, after: (after - use.sets) | use.reads)
+    live = _backward(steps, known, first, last, False, lambda use, after: (after - use.sets) | use.reads)
     used = _backward(
-        steps, first, last, False, lambda use, after: (after - use.sets) | (use.reads - use.tests)
+        steps, known, first, last, False, lambda use, after: (after - use.sets) | (use.reads - use.tests)
     )
     nonlinear = _backward(
         steps,
+        known,
         first,
         last,
         True,
         lambda use, after: (after - use.sets) | use.nonlinear | (use.reads if use.sets & after else NONE),
     )
-    overwritten = NONE.union(*(each.sets for each in uses if each)) - live[0]
-    return IterationUses(overwritten, NONE.union(*nonlinear), [*used, NONE], uses, first)
+    overwritten = NONE.union(*(each.sets for each in known)) - live[0]
+    return IterationUses(
+        overwritten,
+        NONE.union(*nonlinear),
+        [*used, NONE],
+        uses,
+        NONE.union(*map(_otherwise, known)),
+        steps,
+        first,
+        any(step.kind == CALL for _, step in inside),
+    )
+
+
+def _otherwise(use: Uses) -> frozenset[int]:
+    return (use.reads - use.spans) | (use.sets - use.copies) | use.parts
+
+
+def _of_call(steps: Steps, pc: int) -> Uses | None:
+    """Return what a call may do with the variables of its caller, None if that is unknown."""
+    known: list[Uses | None] = [steps.uses[pc]]
+    seen: set[tuple[str, int]] = set()
+    waiting = [(steps, pc)]
+    while waiting:
+        caller, at = waiting.pop()
+        called, entry = caller.called.get(at, (caller, 0))
+        if called is caller and not entry:
+            return None  # it calls itself, or what is known only at run time
+        points = [entry]
+        while points:
+            k = points.pop()
+            step = called[k]
+            if (called.name, k) in seen:
+                continue
+            seen.add((called.name, k))
+            if step.kind == ENTER or (step.kind == GO and step.to < 0):
+                return None
+            if step.kind == CALL:
+                waiting.append((called, k))
+            if step.kind != RETURN or step.do is not None:
+                use = called.uses[k]
+                known.append(use if called is steps or use is None else _shared(use))
+            points += called.following(k)
+    if None in known:
+        return None
+    found = [each for each in known if each is not None]
+    reads = NONE.union(*(each.reads for each in found))
+    sets = NONE.union(*(each.sets for each in found))
+    nonlinear = reads if sets else NONE.union(*(each.nonlinear for each in found))
+    otherwise = NONE.union(*map(_otherwise, found))
+    return Uses(reads, nonlinear=nonlinear, spans=reads - otherwise, parts=otherwise - reads)
+
+
+def _shared(use: Uses) -> Uses:
+    """Return what a step does with the variables that do not belong to a call."""
+    return Uses(*(frozenset(n for n in each if n >= 0) for each in use))
 
 
 def _backward(
     steps: Steps,
+    uses: Sequence[Uses],
     first: int,
     last: int,
     goes_on: bool,
     before: Callable[[Uses, frozenset[int]], frozenset[int]],
 ) -> list[frozenset[int]]:
-    """Return a set of variables for each step of a loop: `before` of its uses and the sets of those that follow it.
+    """Return a set of variables for each step of a loop: `before` of what it uses and the sets of those that follow it.
 
     `goes_on`: the first step follows the jump back.
     """
@@ -153,9 +229,7 @@ def _backward(
     while changed:
         changed = False
         for k in reversed(range(len(found))):
-            uses = steps.uses[first + k]
-            assert uses is not None
-            new = before(uses, NONE.union(*(found[each] for each in following[k])))
+            new = before(uses[k], NONE.union(*(found[each] for each in following[k])))
             changed |= new != found[k]
             found[k] = new
     return found

@@ -294,7 +294,7 @@ class CommandTask(StepTask):
         `kind` is what it has of the variable of an axis: "real", "whole", or its "low" bits.
         """
         self.reading = until, axis, address, kind
-        self.board.dependencies.note(Copy(self.pc, ACCUMULATOR), _valid, until)
+        self.board.dependencies.note(Copy(self.steps, self.pc, ACCUMULATOR), _valid, until)
 
     def tested(self, command: Command, is_bit: bool) -> None:
         """Record when a test of the accumulator gives another result, if that has a reading."""

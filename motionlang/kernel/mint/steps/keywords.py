@@ -119,7 +119,7 @@ def _store(
     act, get, sets = words.action(w, how, row, where), given.get, None
     if row.driven in words.HOST_MEMORY:
         sets = HOST_VARIABLE
-        copy = Copy(len(w.steps), sets)
+        copy = Copy(w.steps, len(w.steps), sets)
         get = w.marking(lambda: copy, get)
     if last:
         w.add(DO, lambda values: act(values, get(values), *[each(values) for each in last]), cost=cost)

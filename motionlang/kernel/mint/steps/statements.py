@@ -71,9 +71,10 @@ def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) 
     if plain is not None:
         sets = w.program.places.number(plain)
         if found.solved is not None:
-            copy = Copy(len(w.steps), sets, expressions.is_word(given))
+            copy = Copy(w.steps, len(w.steps), sets, expressions.is_word(given))
             get = w.marking(lambda: copy, get)
-    w.add(DO, expressions.storing(w, target, where, which, get), cost=1.0, sets=sets)
+    is_copy = sets is not None and found.solved is not None
+    w.add(DO, expressions.storing(w, target, where, which, get), cost=1.0, sets=sets, is_copy=is_copy)
 
 
 def _copy(w: UnitWriter, where: Get, which: Get, get: Get) -> None:

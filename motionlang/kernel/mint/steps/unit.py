@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.lang.steps import BEGIN, CALL, JUMP, NOTE, NOW, RETURN, Uses, Values
+from motionlang.kernel.controller.clock import INFINITY
+from motionlang.kernel.lang.steps import BEGIN, JUMP, NOTE, NOW, RETURN, Uses, Values
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
@@ -64,15 +65,19 @@ class UnitWriter:
         cost: float = 0.0,
         sets: int | None = None,
         role: str = "",
+        is_copy: bool = False,
     ) -> int:
-        """Append a step, which sets a variable; return its index."""
+        """Append a step, which sets a variable, maybe to a copy of a reading; return its index."""
         if kind in (NOW, NOTE):  # what has been written so far is used by the step after it
             return self.steps.add(kind, do, to, self.at, Uses(), cost)
         uses = None
-        if self.is_known and kind not in (CALL, RETURN):
+        if self.is_known and kind != RETURN:
             is_set = frozenset() if sets is None else frozenset((sets,))
             reads, nonlinear, parts = map(frozenset, (self.reads, self.nonlinear, self.parts))
-            uses = Uses(reads, is_set, nonlinear, spans=frozenset(self.spans), parts=parts)
+            spans = frozenset(self.spans if sets is None else ())  # a sum of the difference says nothing
+            uses = Uses(
+                reads, is_set, nonlinear, frozenset(), spans, parts, is_set if is_copy else frozenset()
+            )
         self.forget_uses()
         return self.steps.add(kind, do, to, self.at, uses, cost, role)
 
@@ -117,7 +122,7 @@ class UnitWriter:
     def marking(
         self, mark: Callable[..., Callable[..., float]], get: Callable[..., Any]
     ) -> Callable[..., Any]:
-        """Return the function for a reading, for a level if it has one, whose dependencies are marked."""
+        """Return the function for a reading, for a level if it has one, with all that it depends on marked."""
         dependencies = self.program.environment.dependencies
 
         def read(values: Values, *level: Any) -> Any:
@@ -126,7 +131,8 @@ class UnitWriter:
                 return get(values, *level)
             first = len(notes)
             found = get(values, *level)
-            notes[first:] = [(mark(*level), (until, *about)) for until, about in notes[first:]]
+            marked = [(mark(*level), (until, *about)) for until, about in notes[first:]]
+            notes[first:] = marked or [(mark(*level), (_never,))]
             return found
 
         return read
@@ -171,6 +177,10 @@ class UnitWriter:
         symbol = result or node.symbol
         assert symbol is not None, node
         return symbol
+
+
+def _never() -> float:
+    return INFINITY
 
 
 @dataclass(slots=True)
