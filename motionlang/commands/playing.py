@@ -7,11 +7,13 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from time import monotonic
+from typing import Any, TypedDict
 
-from motionlang.cli.command import Refused
+from motionlang.cli.command import Refused, option
 from motionlang.cli.option_groups import ProgramOptions
+from motionlang.cli.readers import wall_time
 from motionlang.cli.signals import SIGNALS
-from motionlang.exploration import Exploration, Interrupted, explore, without_world
+from motionlang.exploration import SECONDS, Exploration, Interrupted, explore, without_world
 from motionlang.kernel import ProgramError
 from motionlang.views.progress import Progress
 
@@ -29,13 +31,30 @@ def playing(name: str) -> Iterator[Progress]:
         progress.done()
 
 
-def time_used(seconds: float | None) -> Callable[[], float]:
-    """Return what gives the share of so many seconds of real time that is over; 0 if there is no such limit."""
+class PlayTime(TypedDict):
+    """The limits of an exploration: the work of so many seconds, and the share of the user's time that is over."""
+
+    seconds: float
+    used: Callable[[], float]
+
+
+def seconds_option(usual: float = SECONDS, before: str = "") -> Any:
+    """Return the option `--seconds` of a command that plays for so long by default."""
+    about = f"{before}play for at most S seconds, so that the result depends on the machine"
+    return option("S", f"{about} (by default about {usual:g})", read=wall_time)
+
+
+def play_time(seconds: float | None, usual: float = SECONDS) -> PlayTime:
+    """Return the limits of an exploration of some seconds of real time, or of the usual work."""
+    if seconds is None:
+        return {"seconds": usual, "used": lambda: 0.0}
     began = monotonic()
-    return lambda: 0.0 if seconds is None else (monotonic() - began) / seconds
+    return {"seconds": seconds, "used": lambda: (monotonic() - began) / seconds}
 
 
-def explored_program(given: ProgramOptions, switches: Mapping[str, object] | None = None) -> Exploration:
+def explored_program(
+    given: ProgramOptions, seconds: float | None, switches: Mapping[str, object] | None = None
+) -> Exploration:
     """Explore the program that a command line names; Refused if it has errors.
 
     `switches` are those of its axes, where its machine has none.
@@ -47,6 +66,6 @@ def explored_program(given: ProgramOptions, switches: Mapping[str, object] | Non
             program = given.known_language().program(source, settings, is_debug=True)
             program = program.with_values(given.overrides())
             program.require()
-            return explore(program, settings, progress=progress)
+            return explore(program, settings, progress=progress, **play_time(seconds))
     except ProgramError as error:
         raise Refused(error.diagnostics, source=source, file=given.file) from None

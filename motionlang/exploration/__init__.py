@@ -30,9 +30,9 @@ that world shows what only a full layer or the end of a batch brings, and the se
 
 Not simulated yet: changes of anything but an input in the middle of a move.
 
-Cost. The statements that all trials begin, at most `MAX_WORK`, and a run from power-up for each state that is left: its
-trials go on from a snapshot (`trials.py`). The same program gives the same result on every machine, unless the user
-ends the exploration.
+Cost. The statements that all trials begin, and what else they cost, in the work that a core does in some seconds. The
+search may take half of it, and the worlds the rest; a trial goes on from a snapshot (`trials.py`). The same program
+gives the same result on every machine, unless the user ends the exploration.
 """
 
 from __future__ import annotations
@@ -67,13 +67,14 @@ from motionlang.exploration.rests import (
     statements_of,
     without_memory,
 )
-from motionlang.exploration.search import MAX_WORK, Explorer
+from motionlang.exploration.search import Explorer
 from motionlang.exploration.simple import LENGTH, better_world, fault_of, neighbours
 from motionlang.exploration.states import Effect, StateNode, Transition, Visit
 from motionlang.exploration.switches import TURNING, FoundSwitches, encoder_entry
 from motionlang.exploration.trials import (
     HORIZON,
     SEARCH,
+    SECOND,
     SHORTEST_MOVE,
     Act,
     Interrupted,
@@ -91,6 +92,8 @@ from motionlang.kernel import Program, Run, Source, dialect_for, settings_next_t
 __all__ = [
     "HORIZON",
     "LENGTH",
+    "SECOND",
+    "SECONDS",
     "SHORTEST_MOVE",
     "SHORTEST_REST",
     "TABLES",
@@ -133,9 +136,11 @@ __all__ = [
 ]
 
 
+# An exploration takes so long on an ordinary core, s.
+SECONDS = 5.0
 # The share of the work before a long run in the world, and that behind what each of some such runs comes to; what is
-# left is for the rest.
-FIRST, BEHIND, FURTHER = 0.6, 0.1, 4
+# left of the share of the search is for the rest.
+FIRST, BEHIND, FURTHER = 0.3, 0.05, 4
 
 
 class PlayedTimeline(NamedTuple):
@@ -329,17 +334,18 @@ def explore(
     program: Program,
     machine: Mapping[str, object] | None = None,
     *,
-    work: int = MAX_WORK,
+    seconds: float = SECONDS,
     used: Callable[[], float] = lambda: 0.0,
     progress: Callable[[float], object] = lambda share: None,
     keeps: bool = False,
 ) -> Exploration:
-    """Explore a program, a debug build, in a world with the settings that a person gave, by so much work.
+    """Explore a program, a debug build, in a world with the settings that a person gave.
 
-    `used` returns the share of the user's time that is over, by which it ends. `progress` is called with the share of
-    the work. Raises Interrupted, with the run, at Ctrl-C; with `keeps` the first one ends the search, and `interrupted`
-    has that run.
+    It does the work of so many `seconds` of an ordinary core. `used` returns the share of the user's time that is over,
+    by which it ends. `progress` is called with the share of the work. Raises Interrupted, with the run, at Ctrl-C; with
+    `keeps` the first one ends the search, and `interrupted` has that run.
     """
+    work = seconds * SECOND
     explorer = Explorer(program, machine or {}, work, used, progress)
     try:
         explorer.explore(FIRST * work)
@@ -355,7 +361,7 @@ def explore(
         if not keeps:
             raise
         found = Exploration(explorer, at.result)
-    explorer.progress = bool  # what is asked of the result is no part of it
+    explorer.progress, explorer.is_done = bool, True  # what is asked of the result is no part of it
     return found
 
 

@@ -16,6 +16,8 @@ from motionlang.kernel.lang import Snapshot, Values, conditions
 MAX_STATEMENTS, MAX_REPEATED = 60_000, 20_000
 # Every run ends earlier if it prints lines, or starts moves, again and again: so many of them in a time, s.
 MAX_PRINTED, MAX_STARTED, FLOOD = 500, 200, 0.5
+# The work of a round of the tasks and of a reading, in statements.
+ROUND, READING = 6, 2
 # So often the user's time is looked at, in statements.
 CHECKED = 500
 # Readings of a statement that are no further apart are one span, s.
@@ -74,10 +76,14 @@ class TrialRecorder(Hook):
         self._machine: Machine | None = None
         # True once the user's time is up, which also ends a run.
         self._is_cut = is_cut
-        self._at = -1
+        self.restart(since, snapshot_at)
+
+    def restart(self, since: float, snapshot_at: float) -> None:
+        """Begin an empty record of a run that is at its first statement."""
         # The statements that began before the snapshot, and how conditions came out in all that was played.
         self.before: set[int] = set()
         self.outcomes: set[Outcome] = set()
+        self._at = -1
         self.begin(since, snapshot_at)
 
     def begin(self, since: float, snapshot_at: float) -> None:
@@ -91,7 +97,7 @@ class TrialRecorder(Hook):
         self._remember_now()
 
     def _clear(self) -> None:
-        self.count = 0
+        self.count = self._rounds = self._read = 0
         # True if so many statements were nothing new.
         self.is_idle = False
         self.statements: dict[str, list[Begun]] = defaultdict(list)
@@ -147,7 +153,13 @@ class TrialRecorder(Hook):
         if self._snapshot_at < inf and self._machine is not None:
             self._machine.clock.at(self.since, _nothing)
 
+    @property
+    def work(self) -> int:
+        """The statements, and what rounds of the tasks and readings cost more."""
+        return self.count + ROUND * self._rounds + READING * self._read
+
     def _between(self) -> None:
+        self._rounds += 1
         assert self._machine is not None
         if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
             self.snapshot = Snapshot(self._machine.scheduler), self._at
@@ -168,6 +180,7 @@ class TrialRecorder(Hook):
         assert self._machine is not None
         if self._machine.controller.inputs.is_supposed:
             return  # a hint asks what would end a wait
+        self._read += 1
         number = 0 if table == "key" else number  # of any terminal
         at, now = self._place(), self._machine.clock.now
         if at < 0 or (table, number) in self._written.get(at, ()):
@@ -265,6 +278,7 @@ class TrialRecorder(Hook):
         assert self._machine is not None
         if self._machine.controller.inputs.is_supposed:
             return  # a hint asks what would end a wait
+        self._read += 1
         at, now = self._place(), self._machine.clock.now
         if now != self._compared:
             self._comparisons, self._compared = 0, now

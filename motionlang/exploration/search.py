@@ -46,8 +46,6 @@ from motionlang.kernel import Program, dialect
 from motionlang.kernel.lang import Named, names_in_comments
 from motionlang.kernel.log import Printed, Switched
 
-# The work of an exploration, in statements: about ten seconds.
-MAX_WORK = 500_000
 # A variable with more values at rest counts or measures.
 MAX_REMEMBERED = 5
 # The depth of what is asked of a state whose place is known.
@@ -61,7 +59,7 @@ class Explorer:
         self,
         program: Program,
         machine: Mapping[str, object],
-        whole: int = MAX_WORK,
+        whole: float,
         used: Callable[[], float] = lambda: 0.0,
         progress: Callable[[float], object] = lambda share: None,
     ) -> None:
@@ -72,6 +70,8 @@ class Explorer:
         self.switches = FoundSwitches(kept)
         self.progress, self.whole = progress, whole
         self.trials = Trials(program, kept, whole, used)
+        # True once the exploration is done: what is asked of it then has a budget of its own.
+        self.is_done = False
         self.program = program = self.trials.program
         self.nodes: dict[RestState | None, StateNode] = {}
         # What a person has given does not change.
@@ -121,6 +121,16 @@ class Explorer:
 
     # ------------------------------------------------------------------------------------------------- playing
 
+    def most(self, share: float = 1.0) -> float:
+        """Return the work at which something ends that may take a share of the whole, or what is left of it."""
+        most = self.trials.work + share * self.whole
+        return most if self.is_done else min(most, self.whole)
+
+    @property
+    def has_work(self) -> bool:
+        """True if some of the work of the exploration is left, or it is done."""
+        return self.is_done or self.trials.work < self.whole
+
     @property
     def channels(self) -> list[int]:
         """The inputs that the program has read, or that start a handler."""
@@ -144,7 +154,7 @@ class Explorer:
             return not has_switches or is_settled(trial)
 
         while True:
-            self.progress(min(self.trials.work / self.whole, 1.0))
+            self.progress(min(self.trials.work / max(self.whole, 1.0), 1.0))
             trial = self.trials.play(timeline, since, is_enough)
             for at, channels in trial.readings.items():
                 self.alone |= channels.keys() if len(channels) <= questions.MAX_READ else set()

@@ -12,8 +12,8 @@ It judges a part by an input: where a run does something else with it on, the br
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
 
-Cost. A share of the work of the exploration; where the world that was found is a good one, a run for each input that is
-off, and some for each level.
+Cost. What is left of the work of the exploration; where the world that was found is a good one, a run for each input
+that is off, and some for each level.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ from motionlang.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, 
 from motionlang.identification import Entry, place
 from motionlang.kernel import Run
 
-# So much of the work of an exploration simple worlds may take, less where a good one was found, in so many runs of this
-# length, s.
-SHARE, GOOD, TRIES, LENGTH = 2.0, 1.0, 250, 60.0
+# So much of the work of an exploration simple worlds may take where a good one was found, in so many runs each time, of
+# this length, s.
+GOOD, TRIES, LENGTH = 0.2, 250, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
@@ -91,6 +91,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
 
     It is the world of another cycle that carries out what this one does not, or a simple one.
     """
+    if not explorer.has_work:
+        return found
     first = _tried(explorer, found.settings)
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
     first = _within_limits(explorer, channels, first, least)
@@ -101,14 +103,15 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
         # Of the two branches of a judgement the one that goes further is right.
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
-        flipped = [_tried(explorer, _with(first.settings, each, ON), least) for each in off]
+        settings = (_with(first.settings, each, ON) for each in off)
+        flipped = [_tried(explorer, each, least) for each in settings if explorer.has_work]
         first = max(
             (first, *(each for each in flipped if _judges(explorer, first, each))),
             key=lambda each: each.value,
         )
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
-    if first.is_good and first.share >= LITTLE:
+    if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
         return found
     others = [
         each for each in likeliest if each.repeats and not (each.begun <= first.begun or wrong(each.said))
@@ -121,11 +124,12 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     bases = [bare, {**bare, **_asked(bare)}]
     starts = [(_with_others(each, inputs, rule), found) for each in bases for rule in (ASKED, ON, PULSES)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
-    tried = [(_tried(explorer, settings, least), world) for settings, world in starts]
+    tried = [(first, found)]
+    tried += [(_tried(explorer, settings, least), world) for settings, world in starts if explorer.has_work]
     best, world = max(tried, key=lambda each: each[0].value)
     # Where less answers the program waits sooner.
     starting = {each[0].begun: each for each in tried}.values()
-    most = explorer.trials.work + SHARE * explorer.whole
+    most = explorer.most()
     for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
         if best.is_good and best.share >= LITTLE:
             break
@@ -151,19 +155,20 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
     """
     known = dict.fromkeys((*channels, *first.read))
     for channel in (each for each in known if each[0] == "analogue" and each not in explorer.given):
+        if not explorer.has_work:
+            break
         settings = partial(_with, first.settings, channel)
         ends = [_tried(explorer, settings({"value": level, **ON})) for level in (0.0, ABOVE)]
         usual = ends[0].begun | ends[1].begun
-        if first.is_good and not first.begun <= usual:
+        if (first.is_good and not first.begun <= usual) or not explorer.has_work:
             continue
         probes = probes_of(channel)
         trials = [explorer.trials.play_in(settings({"value": each.value, **ON}), LENGTH) for each in probes]
-        for level in (each.value for each in solved(*probes, *trials)):
+        for level in (each.value for each in solved(*probes, *trials) if explorer.has_work):
             run = _tried(explorer, settings({"value": level, **ON}), least)
             if not run.begun <= usual:
                 left = [each for each in channels if each != channel]
-                most = explorer.trials.work + explorer.whole
-                run = run if run.is_good else _climbed(explorer, left, run, least, most)
+                run = run if run.is_good else _climbed(explorer, left, run, least, explorer.most())
                 if run.is_good and not run.begun <= usual:
                     first = run
                     break
@@ -203,7 +208,7 @@ def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least
     of all channels come first, then one for both inputs of a condition, such as two hands, and the others last.
     """
     trials = explorer.trials
-    last, enough = trials.count + TRIES, trials.work + GOOD * explorer.whole
+    last, enough = trials.count + TRIES, explorer.most(GOOD)
     stage, before = 0, best.value
     while True:
         events = sorted(explorer.triggers | explorer.latches)

@@ -20,6 +20,7 @@ from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import Begun, Comparison, Outcome, Readings, Seen, TrialRecorder
 from motionlang.exploration.roles import written_at
 from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
+from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
@@ -30,8 +31,9 @@ HORIZONS = (0.5, 1.5, 3.0, 6.0, HORIZON, 36.0, 108.0, 324.0)
 GAP = 0.25
 # A snapshot is taken so long before the changes of its trials, s: longer than a time slice and a few statements.
 LEAD = 0.002
-# The work of a run that begins, in statements.
-START = 400
+# The work that an ordinary core does in a second, in statements; that of a program that is written again, for each of
+# its lines; and that of a run that goes on.
+SECOND, LINE, GO_ON = 300_000, 32, 350
 # The share of the user's time after which the search ends; the rest is for the world.
 SEARCH = 0.6
 # A trial is no longer than usual if it has made so many moves.
@@ -152,6 +154,15 @@ class Start(NamedTuple):
         return self.since < since and self.before == tuple(each for each in before if each[0] < self.since)
 
 
+class PowerUp(NamedTuple):
+    """A run before its first statement, and what is on then; every trial with the same goes on from here."""
+
+    on: Timeline
+    snapshot: Snapshot
+    recorder: TrialRecorder
+    run: Run
+
+
 class Interrupted(Exception):
     """The user has interrupted a run of an exploration."""
 
@@ -168,9 +179,9 @@ def nothing_used() -> float:
 class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces.
 
-    They are over when they have done so much work as `most`: the statements that they have begun, and `START` more for
-    each run. The work is the same on every machine. `used` is the share of the user's time that is over: a run that is
-    still going on when all of it is ends there.
+    They are over when they have done so much work as `most`: the statements that they have begun, and what runs, rounds
+    and readings cost. The work is the same on every machine. `used` is the share of the user's time that is over: a
+    run that is still going on when all of it is ends there.
     """
 
     def __init__(
@@ -184,6 +195,7 @@ class Trials:
         self._used = used
         self.memory = Memory(self.program.structure)
         self._written = written_at(self.program)
+        self._lines = program.source.text.count("\n") + 1
         self.count = self.work = 0
         # The run of the last trial, as it is until the next one.
         self.last: Run
@@ -191,20 +203,26 @@ class Trials:
         self.seen: set[Seen] = set()
         # True if trials record how conditions come out.
         self.observes = False
-        # Where the last trial started, if not at power-up.
-        self._start: Start | None = None
+        self._forget()
 
     def __getstate__(self) -> dict[str, object]:
         """Return what another process needs to play on; the last run, a living machine, stays here."""
         return {
             name: value
             for name, value in vars(self).items()
-            if name not in ("_used", "memory", "last", "_start")
+            if name not in ("_used", "memory", "last", "_start", "_power_up")
         }
 
     def __setstate__(self, state: dict[str, object]) -> None:
-        vars(self).update(state, _used=nothing_used, _start=None)
+        vars(self).update(state, _used=nothing_used)
         self.memory = Memory(self.program.structure)
+        self._forget()
+
+    def _forget(self) -> None:
+        """Begin the next trial anew, since what is the same in all of them has changed."""
+        # Where the last trial started, and the power-up before it.
+        self._start: Start | None = None
+        self._power_up: PowerUp | None = None
 
     @property
     def is_over(self) -> bool:
@@ -219,12 +237,13 @@ class Trials:
 
     def observe(self) -> None:
         """Let all later trials record how conditions come out."""
-        self.observes, self._start = True, None
+        self.observes = True
+        self._forget()
 
     def give(self, settings: Mapping[str, object]) -> None:
         """Add settings for all later trials."""
         self.base |= settings
-        self._start = None
+        self._forget()
 
     def play(
         self,
@@ -244,9 +263,9 @@ class Trials:
         if since > 0.0:
             recorder = self._continue(timeline, since, until)
         else:  # what is on at power-up changes no input
-            recorder = self._recorder(since)
+            recorder, power_up = self._powered_up(timeline, since)
             recorder.last_change = last
-            self.last = self._run(tables_of(timeline), until, recorder)
+            self.last = self._run_on(power_up.machine, until)
         trial = _trial(timeline, since, self.last, recorder, self.base)
         for horizon in horizons:
             is_enough = is_settled(trial) or (
@@ -262,7 +281,7 @@ class Trials:
 
     def _note_work(self, recorder: TrialRecorder) -> None:
         self.seen |= recorder.seen
-        self.work += START + recorder.count
+        self.work += recorder.work
 
     def _continue(self, timeline: Timeline, since: float, until: float) -> TrialRecorder:
         """Play on from shortly before the changes; bring the run there first if it is not the last start."""
@@ -286,10 +305,26 @@ class Trials:
             self._change(start, before)
             result = self._run_on(start.run.machine, at)
         else:
-            recorder = self._recorder(since, at)
-            result = self._run(tables_of(before), at, recorder)
+            recorder, power_up = self._powered_up(before, since, at)
+            recorder.expect_changes()
+            result = self._run_on(power_up.machine, at)
         self._note_work(recorder)
         return Start(before, since, recorder, result)
+
+    def _powered_up(
+        self, timeline: Timeline, since: float, snapshot_at: float = inf
+    ) -> tuple[TrialRecorder, Run]:
+        """Return a run before its first statement, to which the changes of a timeline come, and its recorder."""
+        on, self._start = tuple(each for each in timeline if each[0] <= 0.0), None
+        if self._power_up is None or self._power_up.on != on:
+            recorder = self._recorder(0.0)
+            made = self._run(tables_of(on), 0.0, recorder)
+            self._power_up = PowerUp(on, Snapshot(made.machine.scheduler), recorder, made)
+        recorder, made = self._power_up.recorder, self._power_up.run
+        self._power_up.snapshot.restore()
+        recorder.restart(since, snapshot_at)
+        made.machine.add_entries(tables_of(tuple(each for each in timeline if each[0] > 0.0)))
+        return recorder, made
 
     def _change(self, start: Start, timeline: Timeline) -> None:
         machine = start.run.machine
@@ -298,6 +333,7 @@ class Trials:
 
     def _run(self, tables: Mapping[str, object], until: float | None, recorder: TrialRecorder) -> Run:
         settings = CheckedSettings(merged(self.base, tables))
+        self.work += LINE * self._lines
         observer = recorder if self.observes else None
         return self._noted(
             run(
@@ -312,6 +348,7 @@ class Trials:
 
     def _run_on(self, machine: Machine, until: float) -> Run:
         program = self.program
+        self.work += GO_ON
         return self._noted(run_on(program.source, dialect(program.language), program, machine, until))
 
     def _noted(self, result: Run) -> Run:

@@ -85,7 +85,7 @@ def world_of(explorer: Explorer, likeliest: Sequence[MachineCycle], times: int =
     """
     best: tuple[tuple[bool, bool, int], MachineCycle, Trial] | None = None
     wanted = True, True, min(times, ENOUGH)
-    most = explorer.trials.work + explorer.whole
+    most = explorer.most()
     for cycle in likeliest[:PLAYED]:
         if explorer.trials.work > most:
             break
@@ -156,7 +156,7 @@ class _Description:
     def __init__(self, explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial) -> None:
         self._explorer, self._count, self._cycle, self._trial = explorer, count, cycle, trial
         # Rules are tried by so much work.
-        self._most = explorer.trials.work + explorer.whole
+        self._most = explorer.most()
         self._owners = explorer.program.structure.owners()
         end = _end_of(cycle, trial)
         moves = ((each.begin, each.axis, each.line, each.is_short) for each in trial.moves)

@@ -51,9 +51,9 @@ def test_an_exploration_ends_when_its_work_is_done() -> None:
     language = dialect_of(path.name)
     assert language is not None
     program = language.program(Source.read(path), is_debug=True)
-    little = explore(program, work=300)
+    little = explore(program, seconds=0.001)
     assert not little.is_whole
-    assert len(little.nodes) < len(explore(program, work=50_000).nodes)
+    assert len(little.nodes) < len(explore(program, seconds=1.0).nodes)
 
 
 def test_ctrl_c_keeps_what_was_found() -> None:

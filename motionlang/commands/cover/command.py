@@ -15,13 +15,13 @@ from motionlang.cli.complaints import complain, no_dialect, unreadable
 from motionlang.cli.option_groups import Jobs, Language, OutputOptions, read
 from motionlang.cli.output_files import written
 from motionlang.cli.program_files import PATHS, programs
-from motionlang.cli.readers import machine_time, real, wall_time
+from motionlang.cli.readers import machine_time, real
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.cover import Coverage, covered, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.cover.worlds import CutOff, Event, Worlds
-from motionlang.commands.playing import playing, time_used
+from motionlang.commands.playing import play_time, playing, seconds_option
 from motionlang.commands.scenario_text import write_scenario
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
@@ -61,11 +61,7 @@ examples:
         "write scenarios that reach more, with their results as expectations to review, next to each program"
     )
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
-    seconds: float | None = option(
-        "S",
-        "with --suggest, play for at most S seconds, so that the result depends on the machine",
-        read=wall_time,
-    )
+    seconds: float | None = seconds_option(before="with --suggest, ")
     html: str | None = option("PAGE", "also write a page with the listings", suffixes=(".html",))
     lcov: str | None = option("FILE", "also write a tracefile of lcov, for other tools", writes=True)
 
@@ -139,8 +135,8 @@ examples:
                 exploration = explore(
                     program,
                     without_world(own),
-                    used=time_used(self.seconds),
                     progress=progress,
+                    **play_time(self.seconds),
                 )
                 search = Search(runs, exploration, own, before, limit)
                 was = search.coverage
@@ -160,7 +156,8 @@ examples:
         text += "".join(f"  {name}: {about}\n" for name, about in written.items())
         missed = ranges(rows[1].missed)
         if missed:
-            text += f"  not reached: lines {missed}\n  {count_of(exploration.trials, 'trial')} played\n"
+            more = "" if exploration.is_whole else ", and more could be tried: --seconds 60 plays on"
+            text += f"  not reached: lines {missed}\n  {count_of(exploration.trials, 'trial')} played{more}\n"
         self.show(coverage_document(rows[1:]), text)
         return SIGNALS.status if ended else 0
 

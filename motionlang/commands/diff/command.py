@@ -32,9 +32,10 @@ from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_page import ways_page
 from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
-from motionlang.commands.playing import explored_program, playing
+from motionlang.commands.playing import explored_program, playing, seconds_option
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
+from motionlang.exploration import SECOND, SECONDS
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import layered
@@ -123,6 +124,7 @@ examples:
     all: bool = flag("list everything, not only the first rows of each kind")
     plot: str | None = option("PAGE", "draw the motion of both runs as a page", suffixes=(".html",))
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
+    seconds: float | None = seconds_option(before="with --explore, for each program and for the ways: ")
 
     def unnamed_files(self) -> list[str]:
         return [*machine_next_to(self.a), *machine_next_to(self.b)]
@@ -174,10 +176,11 @@ examples:
         for name in ("scenarios", "tolerance", "until"):
             if getattr(self, name):
                 raise WrongOption(f"--{name} and --explore exclude each other")
-        a = explored_program(GivenProgram.of(self, "a", self.a))
-        b = explored_program(GivenProgram.of(self, "b", other), a.switches.settings)
+        a = explored_program(GivenProgram.of(self, "a", self.a), self.seconds)
+        b = explored_program(GivenProgram.of(self, "b", other), self.seconds, a.switches.settings)
+        work = SECOND * (self.seconds or SECONDS)
         with playing("ways") as progress:
-            found = compared_ways(Player(a), Player(b), progress=progress)
+            found = compared_ways(Player(a), Player(b), work, progress=progress)
         names = input_names(a)
         self.show(
             ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_ROWS)

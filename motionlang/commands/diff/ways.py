@@ -14,7 +14,7 @@ A way that could tell of a change must have been played. Where a changed stateme
 (`changed.py`), or nothing that was played depends on it, the programs are played in more worlds: with long and short
 times between the changes, in the world of the likeliest cycle with another rule for a channel, with encoders that turn.
 
-Cost. Both explorations, at most `MAX_WORK` statements each, and at most `PLAYED` statements of both programs for the
+Cost. Both explorations, at most `SECONDS` of an ordinary core each, and `PLAYED`, the work of both programs for the
 ways. Ways beyond are named, and not compared.
 """
 
@@ -41,6 +41,8 @@ from motionlang.commands.diff.changed import changed_programs, note_played
 from motionlang.exploration import (
     HORIZON,
     LENGTH,
+    SECOND,
+    SECONDS,
     Change,
     Exploration,
     MachineCycle,
@@ -57,8 +59,8 @@ from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import total
 
-# The statements that both programs may begin in the ways.
-PLAYED = 2_000_000
+# The work of both programs in the ways, as much as that of an exploration.
+PLAYED = SECONDS * SECOND
 # A cycle is played so often at first, and at most, and so many cycles of each program are.
 TIMES, MAX_TIMES, CYCLES = 3, 40, 8
 # What is counted further is played so often.
@@ -72,8 +74,8 @@ PACED, SLOW, FAST, WORLDS = 20, 200.0, 0.05, 60
 FURTHER = 0.3
 # A way with long times is played for so long after its last change, s.
 LONG = 324.0
-# No further cycle of a program is made a way after so many statements.
-CYCLE_WORK = 300_000
+# No further cycle of a program is made a way after so much work.
+CYCLE_WORK = SECOND
 
 
 @dataclass
@@ -254,7 +256,7 @@ def ways_of(a: Source, b: Source) -> WaysCompared:
 def compared_ways(
     first: Player,
     second: Player,
-    work: int = PLAYED,
+    work: float = PLAYED,
     *,
     is_enough: Callable[[WaysCompared], bool] = lambda found: False,
     progress: Callable[[float], object] = lambda share: None,

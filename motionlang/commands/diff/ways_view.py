@@ -78,7 +78,7 @@ def not_compared(found: WaysCompared, explored: str = "AB") -> str:
     parts = [lines] if lines else []
     parts += [count_of(len(found.left), "way")] if found.left else []
     parts += [
-        f"what the exploration of {side} had not found when its budget ended"
+        f"what the exploration of {side} had not found (--seconds 60 plays on)"
         for side, one in (("A", found.a), ("B", found.b))
         if side in explored and not one.is_whole
     ]

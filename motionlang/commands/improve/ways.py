@@ -5,7 +5,7 @@ What the edits are for does not count: speeds, times, figures in prints, and whe
 ends otherwise in a way, or prints another line, the edits are refused; if it only does something else, such as behind a
 fixed second that comes earlier in a move than before, the way is named.
 
-Cost. At most `EXPLORED` statements for the exploration, and `PLAYED` for the ways. What is not played is named.
+Cost. At most `EXPLORED` for the exploration, and `PLAYED` for the ways. What is not played is named.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from typing import NamedTuple
 from motionlang.commands.diff.acts import ComparedAct, PlayedWay
 from motionlang.commands.diff.ways import FoundDifference, Player, compared_ways
 from motionlang.commands.diff.ways_view import found_words, input_names, not_compared, way_words
-from motionlang.exploration import HORIZON, Timeline, explore, without_figures, without_world
+from motionlang.exploration import HORIZON, SECOND, Timeline, explore, without_figures, without_world
 from motionlang.kernel import Program
 from motionlang.kernel.tools import count_of
 
-# The statements that the exploration of the program may begin, and those of both programs in the ways.
-EXPLORED, PLAYED = 200_000, 400_000
+# The work of the exploration of the program, in seconds of an ordinary core, and that of both programs in the ways.
+EXPLORED, PLAYED = 2.0, 2.0 * SECOND
 
 
 class PlayedWays(NamedTuple):
@@ -52,8 +52,8 @@ def played_ways(
 ) -> PlayedWays:
     """Play a program, a debug build, with other values in the ways that an exploration finds; return what differs."""
     own = without_world(settings)
-    a = explore(program, own, work=EXPLORED)
-    b = explore(program.with_values(values), {**a.switches.settings, **own}, work=1)
+    a = explore(program, own, seconds=EXPLORED)
+    b = explore(program.with_values(values), {**a.switches.settings, **own}, seconds=0.0)
     found = compared_ways(_WithoutTimes(a), _WithoutTimes(b), PLAYED)
     names = input_names(a)
     texts: dict[bool, list[str]] = {True: [], False: []}

@@ -14,13 +14,13 @@ from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
 from motionlang.cli.option_groups import Language, OutputOptions, forms, read
 from motionlang.cli.program_files import programs
-from motionlang.cli.readers import machine_time, wall_time, whole
+from motionlang.cli.readers import machine_time, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import mapped, recorded
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
 from motionlang.commands.init.summary import motionless, notes
-from motionlang.commands.playing import playing, time_used
+from motionlang.commands.playing import play_time, playing, seconds_option
 from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenario_text import inline
 from motionlang.commands.scenarios import scenario_folder
@@ -48,6 +48,8 @@ if TYPE_CHECKING:  # which need numpy
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
+# It plays as much as an ordinary core does in so many seconds, since a machine file is written once.
+PLAYED = 30.0
 # So many cycles are asked about.
 MAX_ASKED = 3
 
@@ -119,9 +121,7 @@ examples:
         "write the world of the N-th cycle that the head of the file names",
         read=whole("a number of a cycle, from 1", 1, 1000),
     )
-    seconds: float | None = option(
-        "S", "play for at most S seconds, so that the result depends on the machine", read=wall_time
-    )
+    seconds: float | None = seconds_option(PLAYED)
 
     def check(self) -> None:
         super().check()
@@ -280,7 +280,9 @@ examples:
     def _drafted(self, program: Program, given: dict[str, object]) -> Draft:
         """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""
         with playing(program.source.name) as progress:
-            exploration = explore(program, given, used=time_used(self.seconds), progress=progress, keeps=True)
+            exploration = explore(
+                program, given, progress=progress, keeps=True, **play_time(self.seconds, PLAYED)
+            )
         if exploration.interrupted is not None:
             return Draft(exploration, exploration.world, exploration.interrupted, given)
         found = exploration.cycles

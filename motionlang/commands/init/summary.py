@@ -58,7 +58,9 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     found += [] if still else _unmoved(structure, result)
     found += _unused(result)
     if not exploration.is_whole:
-        found.append(f"{count_of(exploration.trials, 'trial')} played, and more could be tried")
+        found.append(
+            f"{count_of(exploration.trials, 'trial')} played, and more could be tried: --seconds 120 plays on"
+        )
     if what := exploration.fault_of(result):
         found.append(f"no good piece was found: the best cycle {what}")
         found += islice(_not_reached(structure, exploration), SHOWN)

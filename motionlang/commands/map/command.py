@@ -15,7 +15,7 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
 from motionlang.commands.map.view.text import line_text, render, unit_text
-from motionlang.commands.playing import playing
+from motionlang.commands.playing import play_time, playing, seconds_option
 from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest
@@ -60,12 +60,16 @@ examples:
     )
     all: bool = flag("show all of the map; the text has one screen of what to know first")
     no_run: bool = flag("show only what the text says, without playing the program")
+    seconds: float | None = seconds_option()
 
     def check(self) -> None:
         """Raise WrongOption if values of names are given without a run."""
         super().check()
-        if (self.no_run or self.unit is not None) and self.overrides():
-            raise WrongOption("names of the program in --set need a run")
+        if self.no_run or self.unit is not None:
+            if self.overrides():
+                raise WrongOption("names of the program in --set need a run")
+            if "seconds" in self.typed:
+                raise WrongOption("--seconds limits a run")
         if self.line is not None and (self.no_run or self.unit is not None):
             raise WrongOption(f"--line and {'--no-run' if self.no_run else '--unit'} exclude each other")
 
@@ -103,6 +107,7 @@ examples:
                 overrides=self.overrides(),
                 progress=progress,
                 keeps=True,
+                **play_time(self.seconds),
             )
 
 

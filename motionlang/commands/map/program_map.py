@@ -10,7 +10,7 @@ from motionlang.commands.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang.commands.map.channels import Channel, channels, only_named, order_of
 from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import MapVariable, UnitMap, UnreachedRow, units, variables
-from motionlang.exploration import Exploration, explore, without_world
+from motionlang.exploration import SECONDS, Exploration, explore, without_world
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
 
@@ -65,18 +65,21 @@ def map_of_machine(
     overrides: Mapping[str, float | str] | None = None,
     progress: Callable[[float], object] = lambda share: None,
     keeps: bool = False,
+    seconds: float = SECONDS,
+    used: Callable[[], float] = lambda: 0.0,
 ) -> ProgramMap:
     """Return the map of a program with what the machine does when it is played.
 
     `settings` are those of its machine file; inputs, answers and the like are found by the exploration. `progress` is
-    called with the share of the trials, and `keeps` is that of `explore`. Raises ProgramError with all errors of the
-    text, or for an override that names nothing.
+    called with the share of the trials; `keeps`, `seconds` and `used` are those of `explore`. Raises ProgramError with
+    all errors of the text, or for an override that names nothing.
     """
     kept = without_world(settings)
     program = language.program(source, kept, is_debug=True)
     program = program.with_values(overrides) if overrides else program
     program.require()
-    return map_of_exploration(explore(program, kept, progress=progress, keeps=keeps))
+    found = explore(program, kept, seconds=seconds, used=used, progress=progress, keeps=keeps)
+    return map_of_exploration(found)
 
 
 def map_of_exploration(exploration: Exploration) -> ProgramMap:

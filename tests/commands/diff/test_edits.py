@@ -17,8 +17,7 @@ import pytest
 
 from motionlang.commands.diff.acts import PlayedWay
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
-from motionlang.exploration import HORIZON, Exploration, MachineCycle, Timeline, explore
-from motionlang.exploration.search import MAX_WORK
+from motionlang.exploration import HORIZON, SECONDS, Exploration, MachineCycle, Timeline, explore
 from motionlang.kernel import Source, dialect_for
 
 FOLDER = Path(__file__).parent
@@ -73,12 +72,14 @@ def edits() -> dict[str, list[Edit]]:
     return found
 
 
-def explored(name: str, text: str, original: Exploration | None = None, work: int = MAX_WORK) -> Exploration:
+def explored(
+    name: str, text: str, original: Exploration | None = None, seconds: float = SECONDS
+) -> Exploration:
     settings = original.switches.settings if original is not None else {}
     source = Source(name, text)
     program = dialect_for(source, None).program(source, settings, is_debug=True)
     assert not program.errors
-    return explore(program, settings, work=work)
+    return explore(program, settings, seconds=seconds)
 
 
 def is_different(found: WaysCompared) -> bool:
@@ -87,8 +88,8 @@ def is_different(found: WaysCompared) -> bool:
 
 def finds(original: Original, edit: Edit, text: str) -> bool:
     """True if a comparison reports an edit: in the ways of the original, or in those of both."""
-    for work in (1, MAX_WORK):
-        other = explored(edit.program, edit.applied(text), original.exploration, work)
+    for seconds in (0.0, SECONDS):
+        other = explored(edit.program, edit.applied(text), original.exploration, seconds)
         if is_different(compared_ways(original, Player(other), is_enough=is_different)):
             return True
     return False

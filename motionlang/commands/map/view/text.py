@@ -96,7 +96,10 @@ def _screen(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: b
     yield from _first(list(_cautions(behaviour, width, colour)), MAX_CAUTIONS + 2)
     never = tables.unreached(made)
     yield from ["", *_first(never.lines(width, colour=colour), MAX_NEVER + 3)]
-    yield from ("", "--all shows all of this, the states, handlers, channels, axes, units and variables")
+    yield ""
+    if not behaviour.exploration.is_whole:
+        yield "not all was played, so more may happen: --seconds 60 plays on"
+    yield "--all shows all of this, the states, handlers, channels, axes, units and variables"
 
 
 def _first(lines: Sequence[str], most: int) -> Iterator[str]:
