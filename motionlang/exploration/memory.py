@@ -13,8 +13,9 @@ steps: a decision needs what it reads; an assignment needs what it reads only if
     If good = 1 Then …
 
 Calls and returns are linked without their context, so a variable may be needed on a path that no call takes. A variable
-that counts, as `n = n + 1` does, is left out, since each value would be a new state, and so is a copy of a level. Of
-one that takes a number of the world, as `n = COMMS(2)` does, only counts if it has: a menu remembers an answer.
+that counts, as `n = n + 1` does, is left out, since each value would be a new state, and so is a copy of a level, a
+clock or a position. Of one that takes a number of the world, as `n = COMMS(2)` does, only counts if it has: a menu
+remembers an answer.
 
 Invariants. The numbers of variables are those of `Uses`, and so of the list of shared variables of any run of the
 program. Variables of a call are part of the analysis and of no result; of the registers that each task of MCCL has,
@@ -100,6 +101,8 @@ class Memory:
                     measured |= use.sets
                 else:
                     found |= self._mask(p, use.sets)
+            elif use is not None and use.copies:
+                measured |= use.copies
             elif use is not None:
                 unset |= self._mask(p, use.sets)
                 if use.reads and min((*use.reads, *use.sets)) >= 0:

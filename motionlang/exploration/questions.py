@@ -21,6 +21,7 @@ channels are combined; if all its inputs at once lead on, each that is needed ta
 
 from __future__ import annotations
 
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, combinations, product
@@ -28,6 +29,7 @@ from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
 from motionlang.exploration.changes import AT_REST, TEXTS, Change, Channel, Moment, levels_at
+from motionlang.exploration.recorder import Comparison
 from motionlang.exploration.rests import BODY, EXACT, SHORTEST_REST, Rest
 from motionlang.exploration.states import Causes, ChangeInMove, StateNode, Visit
 from motionlang.exploration.trials import Trial, TrialMotion
@@ -54,8 +56,8 @@ PERIOD = 0.4
 MAX_TOGETHER, MAX_SOLVED = 3, 6
 # A condition has so many channels; a statement that has read more of them contains several conditions.
 MAX_CONDITION = 4
-# A statement that has read more inputs than this reads a bank.
-MAX_READ = 8
+# A statement that has read more inputs than this reads a bank; a comparison with more pairs of sides has a clock.
+MAX_READ, FEW = 8, 4
 
 
 def at_power_up(explorer: Explorer, trial: Trial, rest: Rest | None) -> Iterator[Causes]:
@@ -238,7 +240,8 @@ class TriedWay(NamedTuple):
 def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequence[Channel]) -> list[Channel]:
     """Return the channels of a statement that no person has given; of a bank those that need their other level.
 
-    If a comparison with a code needs none, they are those that turn any comparison.
+    If a comparison with a code needs none, they are those that turn any comparison; and what alone turns one, such as
+    that with a mask, counts, too.
 
     They are found by halves, by the comparisons that differ on the `way`; without one no inputs of a bank are known
     before a state or a way reads it.
@@ -246,31 +249,45 @@ def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequen
     free = [each for each in read if each not in explorer.given]
     if len(free) <= MAX_READ:
         return free
-    if at not in explorer.banks and way is None:
-        return []
-    if at not in explorer.banks and way is not None:
-        levels, changed = way.visit.levels, {each.channel for each in way.causes}
-        usual = compared_in(way.trial or explorer.play(way.visit.timeline, 0.0))
+    if (
+        way is not None
+        and (at, way.visit) not in explorer.sought
+        and (not way.causes or at not in explorer.banks)
+    ):
+        levels, known = (
+            way.visit.levels,
+            {*explorer.banks.get(at, ()), *(each.channel for each in way.causes)},
+        )
+        usual = compared_in(way.trial or explorer.changed(way.visit, way.causes))
+        # What a clock or a count brings to a comparison differs anyway.
+        often = Counter(each for each, _ in usual)
         # What another statement reads by itself may lead elsewhere before this one reads the bank.
-        others = [each for each in free if each not in changed and each not in explorer.alone]
-        alone = [each for each in free if each not in changed and each in explorer.alone]
-        left, found, turning = [others, alone], list[Channel](), list[Channel]()
+        others = [each for each in free if each not in known and each not in explorer.alone]
+        alone = [each for each in free if each not in known and each in explorer.alone]
+        left = [each for each in (others, alone) if each]
+        found, turning = list[Channel](), defaultdict[Comparison, list[Channel]](list)
         while left and not explorer.trials.is_over:
             some = left.pop()
             changes = tuple(_flipped(each, levels) for each in some)
-            new = compared_in(explorer.changed(way.visit, tuple(sorted((*way.causes, *changes))))) - usual
+            made = compared_in(explorer.changed(way.visit, tuple(sorted((*way.causes, *changes)))))
+            new = frozenset(each for each in made - usual if often[each[0]] <= FEW)
             if not new:
                 continue
             if len(some) == 1:
                 if level_of_bit(usual, new) == changes[0].value:
                     found.append(some[0])
-                elif turns(usual, new):
-                    turning.append(some[0])
+                for each in turns(usual, new):
+                    turning[each].append(some[0])
             else:
                 middle = len(some) // 2
                 left += [some[middle:], some[:middle]]
-        explorer.banks[at] = found or turning
-    return explorer.banks[at]
+        if not explorer.trials.is_over:  # else it is asked again
+            explorer.sought.add((at, way.visit))
+        # A code compares all inputs, a mask its own.
+        masked = [each for each in turning.values() if len(each) == 1 or not found]
+        more = dict.fromkeys(chain(found, *masked))
+        explorer.banks[at] = [*explorer.banks.get(at, ()), *more]
+    return explorer.banks.get(at, [])
 
 
 def _flipped(channel: Channel, levels: dict[int, float]) -> Change:

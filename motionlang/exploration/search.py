@@ -103,6 +103,8 @@ class Explorer:
         self.alone: set[Channel] = set()
         # The inputs that matter of the banks that statements read, by source offset.
         self.banks: dict[int, list[Channel]] = {}
+        # The banks and the visits at which that was asked: another state may need other inputs of the same bank.
+        self.sought: set[tuple[int, Visit]] = set()
         # The lines that move an axis in any transition.
         self._moved: set[int] = set()
         # The values of each remembered variable at rest; those that are forgotten.
@@ -212,11 +214,13 @@ class Explorer:
         if departure.changes is None:
             more = questions.of_conditions(self, node, visit)
             node.left.append(Departure(visit, more, departure.depth + 1))
-        for causes in departure.changes or questions.one_by_one(self, node, visit):
-            if self.trials.is_over:
-                return
+        departure.changes = departure.changes or questions.one_by_one(self, node, visit)
+        for causes in departure.changes:
             if visit.changed(causes) not in self.tried:
                 self.take(node, visit, causes, self.changed(visit, causes))
+            if self.trials.is_over:  # more work may come
+                node.left.append(departure)
+                return
 
     def take(self, node: StateNode, visit: Visit, causes: Causes, trial: Trial) -> None:
         """Record a trial; ask more questions if it has found something new."""

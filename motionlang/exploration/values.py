@@ -124,10 +124,10 @@ def level_of_bit(usual: Compared, new: Compared) -> float:
     return 1.0
 
 
-def turns(usual: Compared, new: Compared) -> bool:
-    """True if a comparison of numbers that is usual has a result that none of the usual ones has."""
+def turns(usual: Compared, new: Compared) -> list[Comparison]:
+    """Return the comparisons of numbers that are usual and have a result that none of the usual ones has."""
     results, others = _results(usual), _results(new)
-    return any(at in results and not found <= results[at] for at, found in others.items())
+    return [at for at, found in others.items() if at in results and not found <= results[at]]
 
 
 def _results(compared: Compared) -> dict[Comparison, set[bool | None]]:

@@ -20,7 +20,7 @@ MACHINES = sorted(path for path in Path(__file__).parent.glob("*.*") if dialect_
 PARTS = 4
 SLOW = (
     "bank", "cleaning", "crank", "ends", "feeder_marks", "flood", "flow", "handover", "hands", "helper", "host", "jog",
-    "labeller", "limits", "mark", "mask", "order", "palms", "press", "ready", "robot", "selector", "spin", "stages",
+    "labeller", "limits", "mark", "mask", "order", "press", "ready", "robot", "selector", "sorter", "spin", "stages",
     "table", "teeth", "third", "together", "turntable", "weigher", "winder",
 )  # fmt: skip
 

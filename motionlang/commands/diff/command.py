@@ -178,7 +178,7 @@ examples:
                 raise WrongOption(f"--{name} and --explore exclude each other")
         a = explored_program(GivenProgram.of(self, "a", self.a), self.seconds)
         b = explored_program(GivenProgram.of(self, "b", other), self.seconds, a.switches.settings)
-        work = SECOND * (self.seconds or SECONDS)
+        work = 2.0 * SECOND * (self.seconds or SECONDS)
         with playing("ways") as progress:
             found = compared_ways(Player(a), Player(b), work, progress=progress)
         names = input_names(a)

@@ -59,8 +59,8 @@ from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import total
 
-# The work of both programs in the ways, as much as that of an exploration.
-PLAYED = SECONDS * SECOND
+# The work of both programs in the ways, as much as that of their explorations.
+PLAYED = 2.0 * SECONDS * SECOND
 # A cycle is played so often at first, and at most, and so many cycles of each program are.
 TIMES, MAX_TIMES, CYCLES = 3, 40, 8
 # What is counted further is played so often.
