@@ -1,8 +1,8 @@
 """Writer of the tables of options in docs/commands.
 
 The tables come from the classes of the commands, through their parsers. A page has hand-written text around sections
-that begin with `<!-- options: COMMAND -->` or, in its README, `<!-- commands -->`, and end with `<!-- end -->`. Only
-these sections are generated.
+that begin with `<!-- options: COMMAND -->`, `<!-- played -->` or, in its README, `<!-- commands -->`, and end with
+`<!-- end -->`. Only these sections are generated.
 """
 
 from __future__ import annotations
@@ -13,9 +13,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang.cli.commands import GROUPS, build_parser
+from motionlang.commands.playing import PLAYED
 
 ROOT = Path(__file__).parents[1]
-_SECTION = re.compile(r"(<!-- (commands|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
+_SECTION = re.compile(r"(<!-- (commands|played|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
 
 
 def subparsers(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentParser]:
@@ -50,7 +51,8 @@ def written(text: str) -> str:
     known = parsers()
 
     def section(found: re.Match[str]) -> str:
-        body = "".join(_options(known[found[3]]) if found[3] else _commands())
+        rows = _options(known[found[3]]) if found[3] else _played() if found[2] == "played" else _commands()
+        body = "".join(rows)
         return f"{found[1]}{body}{found[4]}"
 
     return _SECTION.sub(section, text)
@@ -61,6 +63,13 @@ def _commands() -> Iterator[str]:
         yield f"\n| {title} | |\n|---|---|\n"
         for name, (_, summary) in rows.items():
             yield f"| [`{name}`]({name}.md) | {_cell(summary)} |\n"
+    yield "\n"
+
+
+def _played() -> Iterator[str]:
+    yield "\n| of a world | is played | is not played |\n|---|---|---|\n"
+    for row in PLAYED:
+        yield f"| {' | '.join(row)} |\n"
     yield "\n"
 
 

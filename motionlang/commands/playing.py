@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from time import monotonic
@@ -29,6 +30,31 @@ def playing(name: str) -> Iterator[Progress]:
         raise
     finally:
         progress.done()
+
+
+# What an exploration plays of each part of a world, and what it does not.
+PLAYED = (
+    (
+        "inputs",
+        "each at rest and in a move, counted, up to three of one condition",
+        "two that pulse together",
+    ),
+    ("analogue inputs", "levels on both sides of each comparison", "forces that follow a stroke"),
+    (
+        "keys, answers, hosts",
+        "values at which comparisons turn, and usual ones",
+        "changes in the middle of a move",
+    ),
+    ("axes", "home switches, latches, inputs that are limits", "following errors, drive faults, travel"),
+    ("encoders", "one steady speed", "other speeds"),
+)
+
+
+def played_lines() -> str:
+    """Return the table of what is played as lines for the help of a command."""
+    rows = (f"  {part}: {played}; not: {missing}" for part, played, missing in PLAYED)
+    wrapped = (textwrap.fill(each, 78, subsequent_indent="    ") for each in rows)
+    return "what is played of a world, and what is not:\n" + "\n".join(wrapped) + "\n"
 
 
 class PlayTime(TypedDict):

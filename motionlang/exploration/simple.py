@@ -63,7 +63,7 @@ MARKS, LENGTHS, ALL = 7, 3, 300
 # So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
 FIRST, PAIRS, REST = 7, 1, 2
 # Levels and numbers that are tried.
-LEVELS, ABOVE, NUMBERS = (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
+USUAL, LEVELS, ABOVE, NUMBERS = 50.0, (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
 
 Settings = Mapping[str, object]
 
@@ -121,6 +121,14 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     # What has no entry yet is never on, always on, or answers.
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
     bare = {**found.settings, "input": []}
+    known = {number_in("analogue", each) for each in entries(bare, "analogue")}
+    levels = [
+        {**keys_of(*each), "value": USUAL, **ON}
+        for each in channels
+        if each[0] == "analogue" and each[1] not in known
+    ]
+    if len(levels) > 1:  # one by one they lead no further
+        bare["analogue"] = [*entries(bare, "analogue"), *levels]
     guards = _guards(explorer)
     held = {**bare, "input": [{"channel": each, **ON} for each, on in guards.items() if on]}
     free = [each for each in inputs if each not in guards]

@@ -21,7 +21,7 @@ from motionlang.commands.cover import Coverage, covered, worlds_of
 from motionlang.commands.cover.suggestions import Search, SuggestedWorld
 from motionlang.commands.cover.view import coverage_document, files_table, lcov, listing, page, percentage
 from motionlang.commands.cover.worlds import CutOff, Event, Worlds
-from motionlang.commands.playing import play_time, playing, seconds_option
+from motionlang.commands.playing import play_time, played_lines, playing, seconds_option
 from motionlang.commands.scenario_text import write_scenario
 from motionlang.exploration import explore, without_world
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
@@ -39,13 +39,14 @@ class Cover(OutputOptions, Jobs, Language):
     """Show which statements and conditions of programs their runs reach."""
 
     title: ClassVar[str] = "coverage"
-    epilog: ClassVar[str] = """\
+    epilog: ClassVar[str] = f"""\
 Each program runs in its own world, that of the machine file next to it, and in
 all its scenarios. A condition is covered if it was both true and false.
 
 exit status: 0 if enough is covered; 1 if less, or a program cannot run;
 2 the command line is invalid
 
+{played_lines()}
 examples:
   motionlang cover pick.mnt --all
   motionlang cover programs --fail-under 90 --lcov coverage.info

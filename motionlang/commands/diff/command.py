@@ -32,7 +32,7 @@ from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_page import ways_page
 from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
-from motionlang.commands.playing import explored_program, playing, seconds_option
+from motionlang.commands.playing import explored_program, played_lines, playing, seconds_option
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.exploration import SECOND, SECONDS
@@ -84,7 +84,7 @@ class Diff(OutputOptions, WorldOptions, B, Language):
     """Compare two runs: programs, values or machines, in one world or in all ways."""
 
     title: ClassVar[str] = "comparison"
-    epilog: ClassVar[str] = """\
+    epilog: ClassVar[str] = f"""\
 What the tasks of both programs do is compared: their moves, outputs, prints and
 events, in order, with their times and positions. Without B, A is compared with
 itself under --set-b or --machine-b. `motionlang verify` compares a program with
@@ -92,6 +92,7 @@ its golden files, `motionlang compare` with a recording.
 
 exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 
+{played_lines()}
 examples:
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
   motionlang diff old/pick.prg pick.mnt --scenarios    in every world of A

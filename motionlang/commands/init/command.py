@@ -20,7 +20,7 @@ from motionlang.commands.compare.options import mapped, recorded
 from motionlang.commands.init import Draft, choices, cycle_text, draft, small_program
 from motionlang.commands.init.file import also_fitting, leading, machine_text, path_text
 from motionlang.commands.init.summary import motionless, notes
-from motionlang.commands.playing import play_time, playing, seconds_option
+from motionlang.commands.playing import play_time, played_lines, playing, seconds_option
 from motionlang.commands.run.command import RunCommand
 from motionlang.commands.scenario_text import inline
 from motionlang.commands.scenarios import scenario_folder
@@ -61,7 +61,7 @@ class Init(OutputOptions, Language):
     """Write a first machine file for a program, mark the guesses, and run it."""
 
     title: ClassVar[str] = "program"
-    epilog: ClassVar[str] = """\
+    epilog: ClassVar[str] = f"""\
 init plays the program: where it waits, each input, key, answer, analogue
 level and number of a host that it reads is changed once, to see what leads
 on. It writes the world in which the likeliest cycle runs into
@@ -83,6 +83,7 @@ more; or no good piece was found: it prints, in words or on the condition of an
 alarm, that something is wrong, switches on an alarm by its name, prints
 nothing, switches no output, or only jogs. 2 the command line is invalid
 
+{played_lines()}
 examples:
   motionlang init packer.prg
   motionlang init packer.prg --cycle 2   the world of the next likeliest cycle

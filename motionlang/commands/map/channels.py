@@ -147,12 +147,17 @@ def only_named(names: Iterable[Named], channels: Iterable[Channel]) -> list[Name
     """Return the inputs and outputs that comments name and a program does not use.
 
     A channel whose number is only known while the program runs may be any of its kind, and so may one of a bank that is
-    read.
+    read, or written with more than 0.
     """
     channels = list(channels)
     used = {(each.kind, each.number) for each in channels}
     open_ended = {kind for kind, number in used if not number.isdecimal()}
-    banks = [each.kind for each in channels if each.kind.endswith(" bank") and (each.reads or each.waits)]
+    banks = [
+        each.kind
+        for each in channels
+        if each.kind.endswith(" bank")
+        and (each.reads or each.waits or any(value != "0" for value in each.values))
+    ]
     open_ended |= {kind.removesuffix(" bank") for kind in banks}
     return [
         each

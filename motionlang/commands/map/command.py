@@ -15,7 +15,7 @@ from motionlang.cli.signals import SIGNALS
 from motionlang.commands.map.program_map import ProgramMap, map_of_machine, program_map
 from motionlang.commands.map.view.formats import FORMS, SUFFIXES, document, written
 from motionlang.commands.map.view.text import line_text, render, unit_text
-from motionlang.commands.playing import play_time, playing, seconds_option
+from motionlang.commands.playing import play_time, played_lines, playing, seconds_option
 from motionlang.kernel import CheckedSettings, Diagnostic, ProgramError, Source
 from motionlang.kernel.lang import Unit
 from motionlang.kernel.tools import nearest
@@ -27,7 +27,7 @@ class Map(OutputOptions, ProgramOptions):
     """Show what a machine does: its cycle, states, channels and axes."""
 
     title: ClassVar[str] = "map"
-    epilog: ClassVar[str] = """\
+    epilog: ClassVar[str] = f"""\
 map plays the program: where it waits, each input, key, answer, analogue level
 and number of a host that it reads is changed once, to see what leads on. A
 machine file gives the axes; its inputs, answers and the like are not used.
@@ -36,6 +36,7 @@ Ctrl-C shows what was found so far.
 exit status: 0 success; 1 the program has an error; 2 the command line is
 invalid
 
+{played_lines()}
 examples:
   motionlang map old.prg
   motionlang map old.prg --all
