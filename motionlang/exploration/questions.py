@@ -24,7 +24,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
-from itertools import chain, combinations, product
+from itertools import chain, combinations, pairwise, product
 from math import inf
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -41,9 +41,11 @@ from motionlang.exploration.values import (
     level_of_bit,
     probes_of,
     solved,
+    turning_at,
     turns,
     usual_answers,
 )
+from motionlang.identification import place
 
 if TYPE_CHECKING:
     from motionlang.exploration.search import Explorer
@@ -52,6 +54,8 @@ if TYPE_CHECKING:
 ENOUGH = 3
 # The period of an input that comes and goes at rest, s.
 PERIOD = 0.4
+# A mark of a latch comes at these shares of a move; a place where a comparison turns is left by so much of the way.
+MARKED, NEAR = (0.4, 0.6), 0.03
 # So many channels of one condition change at once, and so many values of a number are tried with another channel.
 MAX_TOGETHER, MAX_SOLVED = 3, 6
 # A condition has so many channels; a statement that has read more of them contains several conditions.
@@ -373,9 +377,29 @@ def in_moves(
             continue
         explorer.changed_in |= {each.key, (each.key, node.state)}
         yield each.added(causes, visit.change_time)
+        if each.change.number in explorer.latches:
+            places = explorer.marks.setdefault(each.change.number, {})
+            places |= dict.fromkeys(_places(explorer, visit, causes, each))
         if each.change.number in explorer.triggers - explorer.counters:
             continue
         yield from _counted(explorer, node, visit, partial(each.added, causes, visit.change_time))
+
+
+def _places(explorer: Explorer, visit: Visit, causes: Causes, mark: ChangeInMove) -> list[float]:
+    """Return the shares of the way of a move where a mark turns comparisons of its place, and between them."""
+    begin, end, axis = mark.motion[:3]
+    seen: list[tuple[float, Trial]] = []
+    for share in MARKED:
+        trial = explorer.changed(visit, mark.added(causes, visit.change_time, share=share))
+        moved = explorer.trials.last.controller.axes[axis]
+        first, last, at = (place(moved, time) for time in (begin, end, begin + (end - begin) * share))
+        seen.append(((at - first) / (last - first) if last != first else 0.0, trial))
+    (one, before), (other, after) = seen
+    roots = sorted(turning_at(one, other, before, after)) if one != other else []
+    roots = [each for each in roots if 0.0 < each < 1.0]
+    middles = ((low + high) / 2 for low, high in pairwise(roots))
+    beside = (root + NEAR * side for root in roots for side in (1, -1))
+    return [round(each, 3) for each in chain(middles, beside)][:MAX_SOLVED]
 
 
 def _counted(

@@ -105,6 +105,8 @@ class Explorer:
         self.banks: dict[int, list[Channel]] = {}
         # The banks and the visits at which that was asked: another state may need other inputs of the same bank.
         self.sought: set[tuple[int, Visit]] = set()
+        # The shares of the way of a move where a mark of a latch turns comparisons.
+        self.marks: dict[int, dict[float, None]] = {}
         # The lines that move an axis in any transition.
         self._moved: set[int] = set()
         # The values of each remembered variable at rest; those that are forgotten.

@@ -20,8 +20,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial, reduce
+from itertools import product
 from math import fsum, inf
 from typing import Any, NamedTuple
 
@@ -59,7 +60,7 @@ SOON, PUSH = 0.1, 1.0
 # A flow meter or a tachometer comes and goes so fast, s.
 COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
-MARKS, LENGTHS, ALL = 7, 3, 300
+MARKS, LENGTHS, ALL = 7, 3, 1000
 # So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
 FIRST, PAIRS, REST = 7, 1, 2
 # Levels and numbers that are tried.
@@ -113,9 +114,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         found = found._replace(settings=first.settings, run=first.run)
     if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
         return found
-    others = [
-        each for each in likeliest if each.repeats and not (each.begun <= first.begun or wrong(each.said))
-    ]
+    # What says what is wrong may only lack a rule, such as marks on the way.
+    others = [each for each in likeliest if each.repeats and not each.begun <= first.begun]
+    others.sort(key=lambda each: bool(wrong(each.said)))
     worlds = [found, *(world_of(explorer, [each]) for each in others[:OTHERS])]
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
@@ -445,6 +446,7 @@ def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     )
     if channel[1] in explorer.triggers:
         yield {**COUNTED}
+    yield from _marks(run, explorer.marks.get(channel[1], ()))
     yield from simple
     for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
         yield {"output": output, "delay": SOON}
@@ -453,8 +455,15 @@ def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
         middle = round((min(way.places) + max(way.places)) / 2, 2)
         yield {"axis": axis, "above": middle}
         yield {"axis": axis, "below": middle}
+    yield from _marks(run, (0.5,))
+
+
+def _marks(run: Run, shares: Iterable[float]) -> Iterator[Entry]:
+    """Yield the marks along the way of each axis, at shares of its moves."""
+    for share, (axis, way) in product(shares, _ways(run).items()):
         for step in (*way.lengths[:LENGTHS], (max(way.places) - min(way.places)) / MARKS):
-            mark = [round(way.places[0] + share * step, 2) for share in (0.5, 0.6)]
+            first = (way.places[0] + share * step) % step if step > 0.0 else 0.0
+            mark = [round(first + each * step, 2) for each in (0.0, 0.1)]
             if mark[0] < mark[1]:
                 yield {"axis": axis, "between": mark, "every": round(step, 2), "times": ALL}
 

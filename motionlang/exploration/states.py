@@ -213,10 +213,10 @@ class ChangeInMove(NamedTuple):
         """The input, the line that moves the axis, and what comes after it: the change is tried once in each."""
         return self.change.number, self.motion.line, self.onward
 
-    def added(self, causes: Causes, since: float, times: int = 0) -> Causes:
-        """Return changes at a time, and this one in the middle of the move after it, or so many times in the move."""
+    def added(self, causes: Causes, since: float, times: int = 0, share: float = 0.5) -> Causes:
+        """Return changes at a time, and this one at a share of the move after it, or so many times in the move."""
         begin, end, axis, line = self.motion[:4]
         every = (end - begin) / times if times else 0.0
-        first = begin + (every / 4 if times else (end - begin) / 2)
+        first = begin + (every / 4 if times else (end - begin) * share)
         moment = Moment(round(first - since, 4), axis, line, times or 1, every)
         return (*causes, self.change._replace(moment=moment))

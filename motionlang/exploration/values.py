@@ -65,13 +65,7 @@ def is_probe(change: Change) -> bool:
 
 def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:
     """Return the values of a channel at which comparisons turn, from the trials with two other values of it."""
-    a, b = _number(first), _number(second)
-    roots: dict[float, None] = {}
-    for at, margins in _margins(one).items():
-        for m, n in zip(margins, _margins(other).get(at, []), strict=False):
-            slope = (n - m) / (b - a)
-            if slope and isfinite(slope):
-                roots[a - m / slope] = None
+    roots = turning_at(_number(first), _number(second), one, other)
     ordered = sorted(roots)
     found = dict.fromkeys(chain.from_iterable(_near(first, each, ordered) for each in roots))
     changes = [change for value in found if (change := _change(first, value)) is not None]
@@ -79,6 +73,17 @@ def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Chan
     if found or first.table == "key":
         changes += [first._replace(value=each) for each in USUAL.get(first.table, ())]
     return list(dict.fromkeys(changes))[:MAX_VALUES]
+
+
+def turning_at(a: float, b: float, one: Trial, other: Trial) -> list[float]:
+    """Return the values of something at which comparisons turn, from the trials with two other values of it."""
+    roots: dict[float, None] = {}
+    for at, margins in _margins(one).items():
+        for m, n in zip(margins, _margins(other).get(at, []), strict=False):
+            slope = (n - m) / (b - a)
+            if slope and isfinite(slope):
+                roots[a - m / slope] = None
+    return list(roots)
 
 
 def counts(trials: Sequence[Trial]) -> list[int]:

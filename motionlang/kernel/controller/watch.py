@@ -7,7 +7,7 @@ new profile of an axis solves them again; nothing polls.
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import ulp
+from math import inf, ulp
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import TimedCall
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 # Counts within which an axis is at a position: far below any encoder, far above rounding.
 _ON = 1e-6
+EVERYWHERE = -inf, inf
 
 
 class Watch:
@@ -51,13 +52,23 @@ def end(axis: Axis, watch: Watch) -> None:
 
 def solve(axis: Axis) -> None:
     """Solve all watches on a new profile, in order of creation; a pass that is due now may end others."""
+    reach = _reach(axis.profiles[-1]) if len(axis.watches) > 1 else EVERYWHERE
     for watch in tuple(axis.watches):
         if watch in axis.watches:
-            _arm(axis, watch)
+            _arm(axis, watch, reach)
 
 
-def _arm(axis: Axis, watch: Watch) -> None:
-    """Solve one watch on the axis's present profile from now on.
+def _reach(profile: Profile) -> tuple[float, float]:
+    """Return bounds of the positions of a motion, wide enough for rounding."""
+    if profile.duration == inf or profile.end_velocity:
+        return EVERYWHERE
+    low, high = profile.extrema()
+    more = _ON + 1e-9 * (abs(low) + abs(high))
+    return low - more, high + more
+
+
+def _arm(axis: Axis, watch: Watch, reach: tuple[float, float] = EVERYWHERE) -> None:
+    """Solve one watch on the axis's present profile from now on; `reach` are the bounds of its positions.
 
     If the axis has a simulated motor, the watch applies to the motor instead. A pass that is due now, such as arrival
     at the position, happens first.
@@ -75,7 +86,10 @@ def _arm(axis: Axis, watch: Watch) -> None:
     position = watched_position(axis, watch)
     side = side_of(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
     watch.side = side or watch.side  # at the position itself, the side stays
-    _solve(axis, watch, now, side)
+    if reach[0] <= position <= reach[1]:
+        _solve(axis, watch, now, side)
+    else:
+        _cancel(watch)
 
 
 def _solve(axis: Axis, watch: Watch, now: float, side: int) -> None:
