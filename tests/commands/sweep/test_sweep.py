@@ -116,10 +116,7 @@ def test_threads_give_what_one_after_the_other_gives() -> None:
 
 
 class Unreliable(Executor):
-    """An executor that loses work, like a cluster with killed workers.
-
-    `loses` selects the chunks that are lost.
-    """
+    """An executor that loses work, like a cluster with killed workers."""
 
     def __init__(self, loses: Callable[[int, list[int]], bool]) -> None:
         self.loses, self.count = loses, 0

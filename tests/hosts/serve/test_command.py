@@ -65,10 +65,7 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
 
 @pytest.mark.slow
 def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """More is logged than the pipe and the queue can store, but hosts are answered.
-
-    SIGTERM ends the server.
-    """
+    """More is logged than the pipe and the queue can store, but hosts are answered."""
     logged = 2 * (STORED + 65536)
     with running("--tcp", "0", "--log", "--clock", "lockstep") as process:
         with Client.open(line_with(process, "listening on "), timeout=MAX_SECONDS) as board:
