@@ -103,17 +103,6 @@ def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> No
         assert out.startswith(", 8 axes")
 
 
-def test_a_serial_device() -> None:
-    pytest.importorskip("pty")
-    with running("--pty", "--clock", "lockstep") as process:
-        with Client.open(line_with(process, "serial device ")) as board:
-            board.send("1MN,1MR100000")
-            board.wait_for_stop(1)
-            assert board.position(1) == 100000
-        process.send_signal(signal.SIGTERM)
-        assert process.wait(20) == 0
-
-
 def test_hosts_that_are_connected_at_the_end_get_the_output() -> None:
     with running("--tcp", "0") as process:
         port = int(line_with(process, "listening on ").rpartition(":")[2])
