@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from motionlang.commands.init.recorded.levels import levels_of
 from motionlang.commands.init.recorded.recording import MeasuredRecording, machine_positions, since
 from motionlang.identification import Digital, LevelChange, rules_of
 from motionlang.identification.positions import Series
@@ -217,6 +218,17 @@ def test_a_new_zero_in_motion_is_no_step() -> None:
     """At 1 uu per row, the third row has the zero."""
     series = Series("", np.arange(8.0), np.array([50.0, 51.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0]))
     assert machine_positions(series).values.tolist() == [50.0 + k for k in range(8)]
+
+
+def test_a_level_with_noise_has_the_steps_that_are_larger() -> None:
+    """Noise of 3 %, and a step to 90 %, which the program may see in the row in which it comes."""
+    times = np.arange(0.0, 2.0, 0.01)
+    values = np.where(times < 0.995, 50.0, 90.0) + np.random.default_rng(1).normal(0.0, 3.0, len(times))
+    near = partial(pytest.approx, abs=1.0)
+    assert levels_of(4, Series("", times, values)) == [
+        ({"channel": 4, "value": near(50.0), "at": 0.0}, "in steps"),
+        ({"channel": 4, "value": near(90.0), "at": 0.99}, ""),
+    ]
 
 
 def test_a_change_just_at_the_beginning_is_the_first_level() -> None:
