@@ -135,6 +135,28 @@ def test_an_index_mark_is_where_the_homing_turned(cell: Cell, program: str, ever
         assert (entry["for"], entry["every"]) == (pytest.approx(0.7, abs=0.01), pytest.approx(1.5, abs=0.01))
 
 
+HOMING = """\
+SPEED(0) = 300 : ACCEL(0) = 3000 : DECEL(0) = 3000 : HOMESPEED(0) = 40
+WAIT(wait)
+HOME(0) = _hmNEGATIVE_SWITCH
+PAUSE IDLE(0)
+MOVEA(0) = 150 : GO(0) : PAUSE IDLE(0)
+"""
+
+
+@pytest.mark.parametrize(("wait", "switch"), [(1000, -20.0), (10, -41.0)])
+def test_a_switch_is_where_the_homing_turned(cell: Cell, wait: int, switch: float) -> None:
+    """The homing begins later than power-up, or its switch lies near the guessed one, at -40 uu."""
+    program = cell.write("home.mnt", HOMING.replace("wait", str(wait)))
+    made = machine_run(Path(program), {"axis.0.home_switch": [switch - 4.0, switch], "run.until": 10.0})
+    cell.write("rec.csv", csv_of(Logger(0.005).table(made)))
+    ran = cell("init", "home.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    machine = read_machine(Source.read(str(cell.folder / "home.machine.toml")))
+    assert machine["axis.0.home_switch"] == pytest.approx([switch - 4.0, switch], abs=0.3)
+    assert machine["axis.0.guess"] is True  # it was seen once
+
+
 WAIT_FOR = """\
 OUTX(0) = 1
 waitFor(4)
