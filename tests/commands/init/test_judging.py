@@ -275,6 +275,41 @@ End Loop
 """
 
 
+LAMP = """\
+Task Lamp
+  Loop
+    OUTX(7) = 1
+    WAIT(330)
+    OUTX(7) = 0
+    WAIT(330)
+  End Loop
+End Task
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Run Lamp
+Loop
+  MOVER(0) = 30 : GO(0) : PAUSE IDLE(0)
+  OUTX(1) = 1
+  WAIT(dwell)
+  OUTX(1) = 0
+  PAUSE INX(3)
+  PAUSE INX(3) = 0
+End Loop
+"""
+
+
+def test_the_cycle_is_that_of_the_outputs_that_work_switches(cell: Cell) -> None:
+    """The dwell of the machine is 50 ms longer; a lamp that blinks on its own has no place in the order."""
+    cell.write("lamp.mnt", LAMP.replace("dwell", "250"))
+    other = cell.write("other.mnt", LAMP.replace("dwell", "300"))
+    world = {"input": [{"channel": 3, "output": 1, "level": 0, "delay": 0.4, "for": 0.2}], "run.until": 20.0}
+    cell.write("rec.csv", csv_of(Logger(0.005).table(machine_run(Path(other), world))))
+    ran = cell("init", "lamp.mnt", "--recording", "rec.csv", "--format", "none")
+    note = (
+        "note: cycle 1.3 s recorded, 1.25 s run (15 cycles): 50 ms longer from output 1 on to output 1 off\n"
+    )
+    assert note in ran.err
+
+
 def test_a_recording_that_begins_within_a_cycle(cell: Cell) -> None:
     """Input 1 is on in the first row, and the output that it switches off in the same row is no cause of it."""
     program = cell.write("feed.mnt", FEED)
