@@ -401,6 +401,11 @@ def test_a_key_that_no_entry_has_is_rejected(name: str, why: str) -> None:
         motionlang.sweep(STROKE, {name: [0.2]}, machine=machine)
 
 
+def test_points_without_the_names_of_the_first_are_rejected() -> None:
+    with pytest.raises(ValueError, match=r"^point 1 differs in names from the first: n$"):
+        motionlang.sweep(STROKE, [{"n": 1.0}, {"m": 1.0}])
+
+
 def test_a_run_into_a_limit_is_not_good_in_python() -> None:
     """`run`, a row and `allow` go by the same function."""
     text = "Const v = 50\nSOFTLIMITFORWARD(0) = 80\nSPEED(0) = 100 : MOVER(0) = v : GO(0) : Pause IDLE(0)\n"
