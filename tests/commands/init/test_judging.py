@@ -253,6 +253,11 @@ def test_a_level_with_noise_has_the_steps_that_are_larger() -> None:
     ]
 
 
+def test_a_level_is_the_median_of_all_its_rows() -> None:
+    series = Series("", np.arange(4.0), np.array([10.0, 10.4, 50.0, 50.0]))
+    assert [entry["value"] for entry, _ in levels_of(4, series)] == [10.2, 50.0]
+
+
 def test_a_change_just_at_the_beginning_is_the_first_level() -> None:
     """The input is on from the first row on, as in a recording that begins there."""
     inputs = {3: Digital("in3", 0, (LevelChange(2.0, 1), LevelChange(5.0, 0)))}
