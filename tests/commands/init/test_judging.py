@@ -253,9 +253,9 @@ def test_a_level_with_noise_has_the_steps_that_are_larger() -> None:
     ]
 
 
-def test_a_level_is_the_median_of_all_its_rows() -> None:
-    series = Series("", np.arange(4.0), np.array([10.0, 10.4, 50.0, 50.0]))
-    assert [entry["value"] for entry, _ in levels_of(4, series)] == [10.2, 50.0]
+def test_the_first_row_may_be_a_level_of_its_own() -> None:
+    series = Series("", np.arange(4.0), np.array([10.0, 50.0, 50.4, 50.2]))
+    assert [entry["value"] for entry, _ in levels_of(4, series)] == [10.0, 50.2]
 
 
 def test_a_change_just_at_the_beginning_is_the_first_level() -> None:
