@@ -344,6 +344,33 @@ def test_a_rest_within_rounding_of_the_end_of_a_curve_is_a_rest(distance: float)
     assert (made.velocity(5.0), made.peak_speed, made.crossing(99.0), len(made.pieces)) == (0.0, 0.0, None, 1)
 
 
+def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it() -> None:
+    """A slope that rises from 0 to 2 over 10; at its end the speed is 3, the rate 4.
+
+    The acceleration there is 0.2 * 3² + 2 * 4 = 9.8.
+    """
+    piece = (0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0)
+    curve = from_curve("fly", 0.0, 10.0, ((0.0, 10.0), (piece,), (("fly", 0),)), 0.0, 2.0)
+    along = from_curve(
+        "trapezoid",
+        10.0 - 1e-13,
+        15.0,
+        ((0.0, 1.0), ((10.0 - 1e-13, 3.0, 2.0, 0.0, 0.0, 0.0, 0.0),), (("accel", 0),)),
+        3.0,
+        7.0,
+    )
+    made = Reparametrised(along, curve)
+    assert made.at(0.0).acceleration == pytest.approx(9.8)
+    assert made.at(0.0).velocity == pytest.approx(6.0)
+    assert evaluate(made, np.array([0.0]), 2)[0] == pytest.approx(9.8)
+    assert made.at(0.5).acceleration == pytest.approx(8.0)
+    assert evaluate(made, np.array([0.5]), 2)[0] == pytest.approx(8.0)
+    # The beginning: curved by 0.2 on either side of it, and straight, with a slope of 0, farther out.
+    back = Reparametrised(along.shifted(-10.0), curve)
+    assert back.at(0.0).acceleration == pytest.approx(1.8)
+    assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)
+
+
 @pytest.mark.parametrize(
     ("position", "after", "expected"),
     [
