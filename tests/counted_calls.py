@@ -18,10 +18,7 @@ class CallCount:
 
 
 def count_calls(monkeypatch: pytest.MonkeyPatch, *methods: tuple[type | ModuleType, str]) -> CallCount:
-    """Return a counter of all calls of the given methods together, starting now.
-
-    Each method is given as its class, or its module, and its name.
-    """
+    """Return a counter of all calls of the given methods together, starting now."""
     count = CallCount()
 
     def counted(method: Callable[..., object]) -> Callable[..., object]:

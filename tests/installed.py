@@ -169,10 +169,7 @@ def write_files(folder: Path) -> None:
 def drive(
     command: list[str], commands: Iterable[str], folder: Path, environment: dict[str, str]
 ) -> dict[str, tuple[int, str, str]]:
-    """Run `commands` in the `DRIVER`, started by `command`, and return their output.
-
-    Python itself must print no warning or error.
-    """
+    """Run `commands` in the `DRIVER`, started by `command`, and return their output."""
     ran = subprocess.run(
         command, input=json.dumps(list(commands)), cwd=folder, env=environment, capture_output=True, text=True,
         encoding="utf-8", check=False,
@@ -210,10 +207,7 @@ def check_helps(ran: Mapping[str, tuple[int, str, str]]) -> None:
 
 
 def check_uses(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str], absent: set[str]) -> None:
-    """Check that each use works or names the missing extra.
-
-    The message must also name the command that installs the extra.
-    """
+    """Check that each use works or names the missing extra."""
     for command, extra in uses.items():
         status, out, err = ran[command]
         if extra in absent:

@@ -1,7 +1,4 @@
-"""`--format` of `check` and `verify`.
-
-Several files at once give the same output as one by one.
-"""
+"""`--format` of `check` and `verify`."""
 
 from __future__ import annotations
 

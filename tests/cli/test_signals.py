@@ -1,7 +1,4 @@
-"""Signals at any stage of a run, and crashes: complete reports and files.
-
-No traceback is shown.
-"""
+"""Signals at any stage of a run, and crashes: complete reports and files."""
 
 from __future__ import annotations
 

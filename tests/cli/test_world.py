@@ -1,7 +1,4 @@
-"""Inputs, answers and keys given on the command line.
-
-They are the events around a program that was written for a real machine.
-"""
+"""Inputs, answers and keys given on the command line."""
 
 from __future__ import annotations
 
@@ -108,10 +105,7 @@ def test_a_sweep_runs_every_variant_in_this_world(cell: Cell) -> None:
 
 
 def test_the_prompt(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Times count from the moment when the line is typed.
-
-    Machine time does not advance while a user types.
-    """
+    """Times count from the moment when the line is typed."""
     typed = (
         ".run 1\n.input 3=1@0.5\nPAUSE INX(3)\nPRINT TIME\n.answer 7\nINPUT n\n"
         ".keys A@1\nPAUSE INKEY=65\nPRINT TIME\n"

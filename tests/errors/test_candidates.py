@@ -1,7 +1,4 @@
-"""Names that the user may have meant, as data.
-
-An editor offers them; `check --fix` does not apply them.
-"""
+"""Names that the user may have meant, as data."""
 
 from __future__ import annotations
 

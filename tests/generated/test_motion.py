@@ -1,7 +1,4 @@
-"""A sample of generated motion programs is proved, consistent and reproducible.
-
-Reports agree with logs.
-"""
+"""A sample of generated motion programs is proved, consistent and reproducible."""
 
 from __future__ import annotations
 

@@ -26,31 +26,6 @@ def ends(result: Run, *positions: float) -> None:
     )
 
 
-def test_a_word_suspends_the_axes_of_a_path_until_it_is_taken_back_whatever_path_is_run_then() -> None:
-    """The path of three axes ends before it has slowed down.
-
-    The next path has only two of the axes.
-    """
-    paths = "VECTORR(0, 1, 2) = 3, 0, 4\nVECTORR(0, 1) = 10, 0\nVECTORR(0, 1, 2) = 0, 0, 6\nGO(0)\n"
-    for word in ("SUSPEND(0) = 1\nWAIT 500\nSUSPEND(0) = 0\n", "SUSPEND(2) = 1\nWAIT 500\nSUSPEND(0) = 0\n"):
-        ends(
-            proved("MOVEBUFFERSIZE(0, 1, 2) = 9;\n" + H + paths + "WAIT 340\n" + word + END), 13.0, 0.0, 10.0
-        )
-
-
-JERKS = "PROFILEMODE(0) = 1 : ACCELJERK(0) = 500 : DECELJERK(0) = 500\n"
-
-
-@pytest.mark.parametrize("wait", [280, 400, 430, 447, 500])
-def test_a_path_that_is_resumed_while_it_comes_to_rest_goes_on(wait: int) -> None:
-    """447 ms after SUSPEND the path is in the last phase of its S-ramp.
-
-    The acceleration of that phase reaches zero only at rest.
-    """
-    program = H + JERKS + "VECTORR(0, 1) = 60, 0\nGO(0)\nWAIT 600\nSUSPEND(0) = 1\n"
-    ends(proved(f"{program}WAIT {wait}\nSUSPEND(0) = 0\n" + END), 60.0, 0.0)
-
-
 def test_a_stop_does_not_come_too_fast_into_an_arc_that_is_braked_on_less_hard() -> None:
     """The stop begins 6.1 before an arc on which MAXDECEL allows only 14.
 
@@ -82,14 +57,6 @@ def test_a_slave_that_turns_round_to_its_ratio_slows_down_at_decel_and_speeds_up
     program = H + rates + "JOG(0) = 20\nWAIT 500\nJOG(1) = -20\nWAIT 500\nFOLLOWMODE(1) = 1 : FOLLOW(1) = 1\n"
     result = proved(program + "WAIT 499\nPRINT VEL(1) < 20\nWAIT 2\nPRINT VEL(1)\n")
     assert result.output == ["1", "20.0000"]
-
-
-@pytest.mark.parametrize("hold", ["SUSPEND(0) = 1", "FEEDRATEOVERRIDE(0) = 0"])
-def test_a_stop_ends_a_path_that_was_to_rest_at_its_end(hold: str) -> None:
-    """The path already brakes for its end when it is suspended; then STOP ends it."""
-    for wait in (1376, 1410, 1516):
-        path = f"FEEDRATEMODE(0) = 2\nVECTORR(0, 1) = 59.7, 13.1\nGO(0)\nWAIT {wait}\n"
-        ends(proved(H + path + f"{hold}\nWAIT 30\nSTOP(0)\n" + END), 59.7, 13.1)
 
 
 RAMP = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -183,6 +184,18 @@ def test_the_same_run_gives_the_same_bytes(suffix: str, head: bytes, tmp_path: P
     made = [(tmp_path / f"{name}{suffix}").read_bytes() for name in ("one", "two")]
     assert made[0] == made[1]
     assert made[0].startswith(head)
+
+
+def test_the_base_line_of_an_upright_text_of_a_png_is_in_its_middle(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A letter of 10 points is 6 high, so its middle is 3 left of its base line."""
+    axes = pytest.importorskip("matplotlib.axes").Axes
+    drawn = importlib.import_module("motionlang.views.figure_matplotlib")
+    shown: list[tuple[float, float, str]] = []
+    monkeypatch.setattr(axes, "text", lambda _, x, y, text, **how: shown.append((x, y, text)))
+    lines = [TextLine(100.0, 50.0, "up", 10.0, is_upright=True), TextLine(100.0, 50.0, "along", 10.0)]
+    monkeypatch.setattr(drawn, "layout", lambda figure: (200.0, 100.0, lines))
+    drawn.png(Figure([[LINE]]))
+    assert shown == [(97.0, 50.0, "up"), (100.0, 50.0, "along")]
 
 
 def test_only_a_png_needs_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

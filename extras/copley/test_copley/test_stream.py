@@ -1,7 +1,4 @@
-"""A master streams to a simulated drive through a CANopen stack, in lockstep.
-
-The bus is virtual.
-"""
+"""A master streams to a simulated drive through a CANopen stack, in lockstep."""
 
 from __future__ import annotations
 
@@ -39,10 +36,7 @@ SCRIPTS = Path(__file__).parents[3] / "scripts"
 
 
 def winding(count: int, milliseconds: int = 2) -> list[WirePoint]:
-    """Return a move with many reversals: a product of sines in whole counts.
-
-    The velocities are those of the spline through the points.
-    """
+    """Return a move with many reversals: a product of sines in whole counts."""
     positions = [float(round(20_000 * math.sin(0.01 * i) * math.cos(0.0013 * i))) for i in range(count)]
     velocities = smooth_velocities(positions, milliseconds / 1000)
     return to_wire(points_from(positions, velocities, milliseconds / 1000))
@@ -85,10 +79,7 @@ def test_linear_moves(transfer: str) -> None:
 
 
 def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
-    """A position every 10.1 ms for segments of 10 ms: the drive stretches its times.
-
-    The buffer never underruns.
-    """
+    """A position every 10.1 ms for segments of 10 ms: the drive stretches its times."""
     points, drive = winding(300, 10), Drive()
     with LockstepBus(drive, step=10_100) as bus:
         BusMaster(bus).stream(points, "0")
@@ -103,10 +94,7 @@ def test_a_master_at_its_own_pace_in_sub_mode_0() -> None:
 def test_a_move_that_ends_where_it_began_is_made_to_its_end(
     transfer: str, positions: tuple[int, ...]
 ) -> None:
-    """In the sub-modes that do not signal the end, the master polls the progress.
-
-    The position of the drive would not be sufficient.
-    """
+    """In the sub-modes that do not signal the end, the master polls the progress."""
     points = [WirePoint(position, None, 10) for position in positions[:-1]] + [
         WirePoint(positions[-1], None, 0)
     ]
@@ -394,10 +382,7 @@ def test_the_node_answers_as_a_canopen_device() -> None:
 
 
 def test_the_record_can_come_by_pdo_too() -> None:
-    """The master maps position and time to one PDO, and the velocity to another.
-
-    They are object 0x60C1, sub-mode -3.
-    """
+    """The master maps position and time to one PDO, and the velocity to another."""
     drive = Drive()
     with LockstepBus(drive) as bus:
         master = BusMaster(bus)
@@ -428,10 +413,7 @@ def test_the_status_comes_on_every_event() -> None:
 
 
 class FencedBus(RealBus):
-    """The real master's bus, with its drive in this process.
-
-    Each wait advances virtual time, and then waits until all frames have arrived.
-    """
+    """The real master's bus, with its drive in this process."""
 
     drive: Drive
     node: canopen.RemoteNode
@@ -443,10 +425,7 @@ class FencedBus(RealBus):
 
 
 def test_the_master_of_a_real_bus() -> None:
-    """Both ends have threads of python-can, as with hardware.
-
-    Only the time is virtual.
-    """
+    """Both ends have threads of python-can, as with hardware."""
     points, drive = winding(120), Drive()
     far = canopen.Network()
     far.NOTIFIER_CYCLE = 0.01

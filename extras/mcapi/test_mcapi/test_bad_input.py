@@ -106,10 +106,7 @@ def test_exclusive_with_others(host: Mcapi) -> None:
 
 
 def test_calls_over_one_connection(serve: Serve) -> None:
-    """Each host opens its own.
-
-    A call before MCOpen has none, and closing it is no error.
-    """
+    """Each host opens its own."""
     board = serve()
     host, other = Mcapi(board.name), Mcapi(board.name)
     assert code(host, "MCGetPositionEx", 1, 1) == mc.MCERR_SOCKET
@@ -139,10 +136,7 @@ def test_a_server_that_ends(serve: Serve) -> None:
 
 
 def test_a_host_that_is_gone_in_a_block(serve: Serve) -> None:
-    """The block of a host that disconnects is discarded.
-
-    Another host can begin a block at once, and it contains nothing of the first one.
-    """
+    """The block of a host that disconnects is discarded."""
     board = serve()
     gone = board.connect()
     gone.ask("MCOpen 0 2 -")

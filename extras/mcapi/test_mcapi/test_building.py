@@ -1,7 +1,4 @@
-"""The commands that build the C library.
-
-The compiler of these tests only writes its output file.
-"""
+"""The commands that build the C library."""
 
 from __future__ import annotations
 

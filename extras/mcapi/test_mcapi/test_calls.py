@@ -287,10 +287,7 @@ def test_a_board_with_rates_gives_all_three_and_a_stepper_its_three_ranges() -> 
 
 
 def test_an_ascii_handle_has_its_own_accumulator() -> None:
-    """Binary handles share one interface, ASCII handles another.
-
-    An interface has its own registers.
-    """
+    """Binary handles share one interface, ASCII handles another."""
     first = opened()
     second, third = Mcapi(first.board), Mcapi(first.board)
     assert second.Open(0, mc.MC_OPEN_BINARY) == 2

@@ -1,7 +1,4 @@
-"""The MCCL commands that each function stands for.
-
-`motionlang mcapi log` prints them.
-"""
+"""The MCCL commands that each function stands for."""
 
 from __future__ import annotations
 
@@ -181,10 +178,7 @@ WRITERS = {
 
 @pytest.mark.parametrize(("field", "value", "wanted"), FIELDS)
 def test_the_command_of_a_field(field: str, value: float, wanted: str) -> None:
-    """In each structure that has the field.
-
-    A field that is 0 differs by its command only.
-    """
+    """In each structure that has the field."""
     for structure, function in WRITERS.items():
         names = getattr(mc, structure).names()
         if field in names:

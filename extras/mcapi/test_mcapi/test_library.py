@@ -1,7 +1,4 @@
-"""The C library: built from the package, used by C hosts, and used as a recorder.
-
-A recorder calls the vendor's library, the real one, and logs each call.
-"""
+"""The C library: built from the package, used by C hosts, and used as a recorder."""
 
 from __future__ import annotations
 
@@ -114,10 +111,7 @@ def test_a_server_that_is_killed(serve: Serve, library: Path, tmp_path: Path) ->
 
 @needs_compiler
 def test_a_second_copy_as_the_real_library(serve: Serve, library: Path, chost: Path, tmp_path: Path) -> None:
-    """The host gets the same results.
-
-    The log has each call with the copy's answer.
-    """
+    """The host gets the same results."""
     copy = tmp_path / "real" / library.name
     copy.parent.mkdir()
     shutil.copy(library, copy)

@@ -1,7 +1,4 @@
-"""Lines of the port.
-
-Words, texts and integers of C, and what the board does with lines that do not fit.
-"""
+"""Lines of the port."""
 
 from __future__ import annotations
 
@@ -83,10 +80,7 @@ def test_an_escape_discards_characters_that_wait() -> None:
 
 
 def test_a_condition_that_holds_needs_no_time(host: Mcapi) -> None:
-    """The call is answered at once.
-
-    So is one without a time-out for an axis that moves.
-    """
+    """The call is answered at once."""
     ours, console = host.board._session, host.board.console
     assert ours.call("MCIsStopped", 1, (1, 60.0)).done
     host.EnableAxis(1, True)

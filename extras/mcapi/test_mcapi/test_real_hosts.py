@@ -1,7 +1,4 @@
-"""Public hosts, unmodified.
-
-PMC's own Python binding, and the daemon `yaqd-pmc` with its client `yaqc`.
-"""
+"""Public hosts, unmodified."""
 
 from __future__ import annotations
 
@@ -66,10 +63,7 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 @needs_file
 @pytest.mark.slow
 def test_every_method_of_the_binding(environment: dict[str, str]) -> None:
-    """All 139 methods work; Python errors are the binding's own.
-
-    In lock step its waits take no real time.
-    """
+    """All 139 methods work; Python errors are the binding's own."""
     command = motionlang("run", "--clock", "lockstep", "--", sys.executable, str(HERE / "binding_host.py"))
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=100, check=False)
     assert done.returncode == 0, done.stderr[-2000:]
@@ -92,10 +86,7 @@ def test_every_method_of_the_binding(environment: dict[str, str]) -> None:
 @pytest.mark.skipif(sys.version_info >= (3, 12), reason="yaqd-pmc does not yield to its event loop there")
 @pytest.mark.slow
 def test_a_laboratory_stage(environment: dict[str, str], tmp_path: Path) -> None:
-    """yaqd-pmc moves the stage with its approach against backlash, and stops it.
-
-    The recorded log replays.
-    """
+    """yaqd-pmc moves the stage with its approach against backlash, and stops it."""
     import yaqc  # type: ignore[import-untyped]
 
     with socket.socket() as free:

@@ -192,10 +192,7 @@ def test_a_call_that_does_not_fit_its_function() -> None:
 
 
 def test_calls_are_replayed_in_the_order_of_their_begins() -> None:
-    """The wait that began first is the last line, because it ended last.
-
-    The calls of another host came in between.
-    """
+    """The wait that began first is the last line, because it ended last."""
     text = (
         "mcapi-log 1\n"
         "0.0 0.0 1 MCOpen 0 2 - = 1\n"
@@ -209,10 +206,7 @@ def test_calls_are_replayed_in_the_order_of_their_begins() -> None:
 
 
 def test_a_log_as_mccl(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Each line has the command of a call, and its time as a comment.
-
-    A board can run the result as a program.
-    """
+    """Each line has the command of a call, and its time as a comment."""
     log = tmp_path / "a.log"
     log.write_text(
         "mcapi-log 1\n"
@@ -347,10 +341,7 @@ def test_a_poll_of_one_host_does_not_delay_another() -> None:
 
 
 def test_handles_may_have_other_numbers() -> None:
-    """A real library numbers handles in another way.
-
-    Each call uses the handle of its own MCOpen.
-    """
+    """A real library numbers handles in another way."""
     log = (
         "mcapi-log 1\n"
         "0.0 0.0 1 MCOpen 0 2 - = 2\n"

@@ -78,10 +78,7 @@ def test_a_path_before_a_build(tmp_path: Path) -> None:
 
 @needs_compiler
 def test_a_host_runs_and_its_record_replays(cache: Path, tmp_path: Path) -> None:
-    """The exit status is that of the host.
-
-    The recorded log replays without a difference, and produces the same bytes.
-    """
+    """The exit status is that of the host."""
     log = tmp_path / "a.log"
     done = motionlang(cache, "run", "--record", str(log), "--", sys.executable, "-c", HOST)
     assert (done.returncode, done.stdout, done.stderr) == (7, "2000.0\n", "")

@@ -1,7 +1,4 @@
-"""The DLLs: built by mingw, with the names that hosts require.
-
-The 64-bit one runs under Wine.
-"""
+"""The DLLs: built by mingw, with the names that hosts require."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""`check --fix` writes only certain corrections.
-
-Line ends and all other text stay unchanged.
-"""
+"""`check --fix` writes only certain corrections."""
 
 from __future__ import annotations
 

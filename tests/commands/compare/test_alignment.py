@@ -55,9 +55,16 @@ def machine(t: Array) -> Array:
     return travelled(t - OUT) - travelled(t - BACK)
 
 
-def recorded(begin: float, end: float, *columns: Callable[[Array], Array]) -> Source:
+def speed(t: Array) -> Array:
+    """Return the velocity of the axis at a time of the run."""
+    out, back = (np.clip(np.minimum(t - start, start + 0.9 - t), 0.0, 0.1) for start in (OUT, BACK))
+    velocity: Array = 1000.0 * (out - back)
+    return velocity
+
+
+def recorded(begin: float, end: float, *columns: Callable[[Array], Array], rate: float = RATE) -> Source:
     """Return columns t, x, y, …: functions of the times from `begin` to `end`."""
-    times = np.arange(begin, end, 1.0 / RATE)
+    times = np.arange(begin, end, 1.0 / rate)
     rows = np.stack([times, *(each(times) for each in columns)], 1)
     lines = ["t,x,y,z"[: 1 + 2 * len(columns)], *(",".join(f"{cell:.9f}" for cell in row) for row in rows)]
     return Source("real.csv", "\n".join(lines))
@@ -110,13 +117,6 @@ def test_noise_blurs_the_delay_as_much_as_it_must(scale: float) -> None:
 
 def test_every_column_has_a_unit_and_a_sign_of_its_own() -> None:
     """Position in inches, and velocity in mm/min with reversed sign and a bias."""
-
-    def speed(t: Array) -> Array:
-        after: list[Array] = [
-            np.clip(np.minimum(t - start, start + 0.9 - t), 0.0, 0.1) for start in (OUT, BACK)
-        ]
-        return 1000.0 * (after[0] - after[1])
-
     source = recorded(
         0.0, 3.0, lambda t: machine(t - DELAY) / 25.4, lambda t: 120.0 - 60.0 * speed(t - DELAY)
     )
@@ -133,6 +133,15 @@ def test_a_recording_of_one_stroke_of_two_keeps_its_direction(scale: float, stro
     made = found(recorded(begin, begin + 1.0, lambda t: scale * machine(t - DELAY)))
     assert made.delay == pytest.approx(DELAY, abs=1e-6)
     assert made.signals[0]["scale"] == pytest.approx(scale, rel=1e-6)
+
+
+def test_a_stroke_with_few_rows_keeps_its_direction() -> None:
+    """Rows every 0.25 s: on that grid of delays the other stroke fits better, by a little."""
+    begin = OUT - 0.3875 + DELAY
+    columns = (lambda t: machine(t - DELAY), lambda t: speed(t - DELAY))
+    made = found(recorded(begin, begin + 1.6, *columns, rate=4.0), velocity="y")
+    assert made.delay == pytest.approx(DELAY, abs=1e-6)
+    assert [row["scale"] for row in made.signals] == pytest.approx([1.0, 1.0], rel=1e-5)
 
 
 @pytest.mark.parametrize("scale", [1.0, -1.0, 40.0])

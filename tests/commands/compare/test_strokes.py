@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
+from math import inf
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -164,12 +165,12 @@ def made(language: str, line: int = 0, text: str = "") -> Run:
     return run(Source(name, "".join(lines)))
 
 
-def compared(language: str, case: Case, later: float = 0.0) -> Any:
+def compared(language: str, case: Case, later: float = 0.0, end: float = inf) -> Any:
     axis = PROGRAMS[language][2]
     other = made(language, case.line, getattr(case, language))
     samples = other.trace.sample(500.0, [axis], None, ["position"])
     rows = zip(samples.time + later, case.column(samples.get(axis, "position")), strict=True)
-    text = "\n".join(["t,x", *(f"{time:.6f},{value:.6f}" for time, value in rows)])
+    text = "\n".join(["t,x", *(f"{time:.6f},{value:.6f}" for time, value in rows if time < end)])
     return compare(made(language), Source("real.csv", text), {f"position.{axis}": "x"})
 
 
@@ -187,6 +188,14 @@ def test_a_recording_of_other_motion(language: str, name: str, later: float) -> 
     assert [
         each.message.removeprefix(starts[0]).removeprefix(starts[1]) for each in found.remarks
     ] == case.differences
+
+
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_a_move_that_the_end_of_the_recording_cuts_is_named_once(language: str) -> None:
+    case = next(each for each in CASES.values() if each.differences == FASTER)
+    faster, cut = (each.message.split(" of ", 1)[1] for each in compared(language, case, end=3.0).remarks)
+    assert [faster] == [f"line {each}" for each in FASTER]
+    assert cut == "line 7: not recorded, the recording has 0 s to 2.998 s of the run"
 
 
 @pytest.mark.parametrize("language", PROGRAMS)

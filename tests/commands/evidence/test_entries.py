@@ -16,10 +16,7 @@ def test_no_question_is_asked_twice_in_a_chapter() -> None:
 
 
 def test_the_entries_of_a_keyword_are_those_that_name_it() -> None:
-    """`help WORD` parses only the entries that name the keyword.
-
-    They are the same as with all files, for each keyword of both languages.
-    """
+    """`help WORD` parses only the entries that name the keyword."""
     for language in ("mint", "mccl"):
         for row in dialect(language).table():
             names = [each.name for each in assumptions().values() if row.name in each.words]

@@ -517,16 +517,31 @@ def test_a_folder(cell: Cell) -> None:
     ]
 
 
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(("typed", "cycle"), [("9\n2\n", "3 → 10 → 14"), ("9\n\n", "3 → 10, input 1")])
+def test_a_person_chooses_the_cycle(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch, typed: str, cycle: str
+) -> None:
+    cell.write("old.prg", TWO)
+    monkeypatch.setattr(sys, "stdin", Terminal(typed))
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    question = "Which is the cycle? Enter for the likeliest that repeats: "
+    assert (
+        f"{question}  type a number from 1 to 3\n{question}"
+        in cell("init", "old.prg", "--format", "none").out
+    )
+    assert f"\n# cycle: {cycle}, " in (cell.folder / "old.machine.toml").read_text()
+
+
 def test_a_person_is_asked(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     """Enter accepts a guess; after an invalid line the question is repeated.
 
     At the end of input the remaining guesses are accepted.
     """
-
-    class Terminal(io.StringIO):
-        def isatty(self) -> bool:
-            return True
-
     cell.write("old.prg", 'PAUSE INX.1\nPAUSE INX.2\nINPUT "Way ", s\nINPUT "Speed ", v\nPRINT TIME\n')
     monkeypatch.setattr(sys, "stdin", Terminal("\nsoon\n1@2\n7\n"))
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from motionlang.commands.init.recorded.levels import levels_of
 from motionlang.commands.init.recorded.recording import MeasuredRecording, machine_positions, since
 from motionlang.identification import Digital, LevelChange, rules_of
 from motionlang.identification.positions import Series
@@ -134,6 +135,28 @@ def test_an_index_mark_is_where_the_homing_turned(cell: Cell, program: str, ever
         assert (entry["for"], entry["every"]) == (pytest.approx(0.7, abs=0.01), pytest.approx(1.5, abs=0.01))
 
 
+HOMING = """\
+SPEED(0) = 300 : ACCEL(0) = 3000 : DECEL(0) = 3000 : HOMESPEED(0) = 40
+WAIT(wait)
+HOME(0) = _hmNEGATIVE_SWITCH
+PAUSE IDLE(0)
+MOVEA(0) = 150 : GO(0) : PAUSE IDLE(0)
+"""
+
+
+@pytest.mark.parametrize(("wait", "switch"), [(1000, -20.0), (10, -41.0)])
+def test_a_switch_is_where_the_homing_turned(cell: Cell, wait: int, switch: float) -> None:
+    """The homing begins later than power-up, or its switch lies near the guessed one, at -40 uu."""
+    program = cell.write("home.mnt", HOMING.replace("wait", str(wait)))
+    made = machine_run(Path(program), {"axis.0.home_switch": [switch - 4.0, switch], "run.until": 10.0})
+    cell.write("rec.csv", csv_of(Logger(0.005).table(made)))
+    ran = cell("init", "home.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    machine = read_machine(Source.read(str(cell.folder / "home.machine.toml")))
+    assert machine["axis.0.home_switch"] == pytest.approx([switch - 4.0, switch], abs=0.3)
+    assert machine["axis.0.guess"] is True  # it was seen once
+
+
 WAIT_FOR = """\
 OUTX(0) = 1
 waitFor(4)
@@ -219,6 +242,22 @@ def test_a_new_zero_in_motion_is_no_step() -> None:
     assert machine_positions(series).values.tolist() == [50.0 + k for k in range(8)]
 
 
+def test_a_level_with_noise_has_the_steps_that_are_larger() -> None:
+    """Noise of 3 %, and a step to 90 %, which the program may see in the row in which it comes."""
+    times = np.arange(0.0, 2.0, 0.01)
+    values = np.where(times < 0.995, 50.0, 90.0) + np.random.default_rng(1).normal(0.0, 3.0, len(times))
+    near = partial(pytest.approx, abs=1.0)
+    assert levels_of(4, Series("", times, values)) == [
+        ({"channel": 4, "value": near(50.0), "at": 0.0}, "in steps"),
+        ({"channel": 4, "value": near(90.0), "at": 0.99}, ""),
+    ]
+
+
+def test_the_first_row_may_be_a_level_of_its_own() -> None:
+    series = Series("", np.arange(4.0), np.array([10.0, 50.0, 50.4, 50.2]))
+    assert [entry["value"] for entry, _ in levels_of(4, series)] == [10.0, 50.2]
+
+
 def test_a_change_just_at_the_beginning_is_the_first_level() -> None:
     """The input is on from the first row on, as in a recording that begins there."""
     inputs = {3: Digital("in3", 0, (LevelChange(2.0, 1), LevelChange(5.0, 0)))}
@@ -239,6 +278,41 @@ Loop
   MOVER(0) = -30 : GO(0) : PAUSE IDLE(0)
 End Loop
 """
+
+
+LAMP = """\
+Task Lamp
+  Loop
+    OUTX(7) = 1
+    WAIT(330)
+    OUTX(7) = 0
+    WAIT(330)
+  End Loop
+End Task
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Run Lamp
+Loop
+  MOVER(0) = 30 : GO(0) : PAUSE IDLE(0)
+  OUTX(1) = 1
+  WAIT(dwell)
+  OUTX(1) = 0
+  PAUSE INX(3)
+  PAUSE INX(3) = 0
+End Loop
+"""
+
+
+def test_the_cycle_is_that_of_the_outputs_that_work_switches(cell: Cell) -> None:
+    """The dwell of the machine is 50 ms longer; a lamp that blinks on its own has no place in the order."""
+    cell.write("lamp.mnt", LAMP.replace("dwell", "250"))
+    other = cell.write("other.mnt", LAMP.replace("dwell", "300"))
+    world = {"input": [{"channel": 3, "output": 1, "level": 0, "delay": 0.4, "for": 0.2}], "run.until": 20.0}
+    cell.write("rec.csv", csv_of(Logger(0.005).table(machine_run(Path(other), world))))
+    ran = cell("init", "lamp.mnt", "--recording", "rec.csv", "--format", "none")
+    note = (
+        "note: cycle 1.3 s recorded, 1.25 s run (15 cycles): 50 ms longer from output 1 on to output 1 off\n"
+    )
+    assert note in ran.err
 
 
 def test_a_recording_that_begins_within_a_cycle(cell: Cell) -> None:

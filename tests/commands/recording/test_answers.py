@@ -120,6 +120,7 @@ def test_two_recordings_of_one_machine() -> None:
             [0.0, 1.0, 2.0],
             "no rows for 3.6e+03 s",
         ),
+        ("1754400000000 1754400500000 1754401000000", [0.0, 500.0, 1000.0], "the times are large numbers"),
     ],
 )
 def test_the_times_of_rows(times: str, begin: list[float], warning: str) -> None:

@@ -22,10 +22,7 @@ PRINT "bye"
 
 
 def run_at_terminal(tmp_path: Path, program: str, *exchanges: tuple[str, str]) -> tuple[int, str, str]:
-    """Run a program and type an answer after each of its prompts.
-
-    Return exit status, remaining output and errors.
-    """
+    """Run a program and type an answer after each of its prompts."""
     file = tmp_path / "asks.mnt"
     file.write_text(program)
     ours, theirs = pty.openpty()

@@ -116,10 +116,7 @@ def test_threads_give_what_one_after_the_other_gives() -> None:
 
 
 class Unreliable(Executor):
-    """An executor that loses work, like a cluster with killed workers.
-
-    `loses` selects the chunks that are lost.
-    """
+    """An executor that loses work, like a cluster with killed workers."""
 
     def __init__(self, loses: Callable[[int, list[int]], bool]) -> None:
         self.loses, self.count = loses, 0
@@ -402,6 +399,11 @@ def test_a_key_that_no_entry_has_is_rejected(name: str, why: str) -> None:
     machine = {"input": [{"channel": 1, "asked": 0.5}]}
     with pytest.raises(ValueError, match=why):
         motionlang.sweep(STROKE, {name: [0.2]}, machine=machine)
+
+
+def test_points_without_the_names_of_the_first_are_rejected() -> None:
+    with pytest.raises(ValueError, match=r"^point 1 differs in names from the first: n$"):
+        motionlang.sweep(STROKE, [{"n": 1.0}, {"m": 1.0}])
 
 
 def test_a_run_into_a_limit_is_not_good_in_python() -> None:

@@ -111,10 +111,7 @@ def test_what_was_answered_before_the_code_is_not_lost(board: Client) -> None:
 
 @pytest.mark.parametrize("transport", ["virtual", "tcp"])
 def test_a_wait_that_takes_too_long_is_abandoned(console: Console, transport: str) -> None:
-    """A time-out is in machine seconds in process, and in real time elsewhere.
-
-    The motion continues, and the client stays usable.
-    """
+    """A time-out is in machine seconds in process, and in real time elsewhere."""
     with Server(console, RealTime(console)) as server:
         address = server.listen("127.0.0.1", 0)
         serving = server.in_thread() if transport == "tcp" else nullcontext()

@@ -1,7 +1,4 @@
-"""Answers of a slow board, which arrive in pieces and late.
-
-No line gets the answer of another.
-"""
+"""Answers of a slow board, which arrive in pieces and late."""
 
 from __future__ import annotations
 

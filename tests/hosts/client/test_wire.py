@@ -89,10 +89,7 @@ class Host:
 def test_only_a_serial_line_may_have_old_output(
     opened: Callable[[], Wire], log: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A client reads a serial line until it is silent before it asks for the version.
-
-    A read of a serial line takes the first byte, and then all others. A connection over TCP is new.
-    """
+    """A client reads a serial line until it is silent before it asks for the version."""
     host = Host()
     monkeypatch.setattr(serial, "serial_for_url", lambda *_, **__: host)
     monkeypatch.setattr(socket, "create_connection", lambda *_: host)

@@ -53,10 +53,7 @@ def test_lines_come_in_order(pipe: Pipe) -> None:
 
 
 def test_a_gap_is_reported_where_it_is(pipe: Pipe) -> None:
-    """Without a reader, only `CAPACITY` and the pipe's buffer are stored.
-
-    A reader that begins later gets all of that.
-    """
+    """Without a reader, only `CAPACITY` and the pipe's buffer are stored."""
     written = pipe.fill()
     for number in range(7):  # there may be space for some by now, but the gap continues until it is reported
         pipe.queue.write(f"lost {number}\n")

@@ -7,10 +7,7 @@ from motionlang.kernel import Machine
 
 
 def test_a_round_trip_is_one_time_slice() -> None:
-    """1TP takes one command of 10 us, and time stops with its answer.
-
-    Only the port's task runs.
-    """
+    """1TP takes one command of 10 us, and time stops with its answer."""
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
     console.settle()

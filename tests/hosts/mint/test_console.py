@@ -298,11 +298,6 @@ def test_unread_output_loses_its_oldest_characters() -> None:
     assert unread.endswith(b"y" * 98 + b"\r\n")
 
 
-def test_a_line_that_is_too_long_is_refused() -> None:
-    line = Line()
-    assert line.ask(b"'" + b"x" * 2000 + b"\r") == "Error: the line is longer than 1000 characters\nP>"
-
-
 def test_a_served_controller_forgets_what_is_over() -> None:
     line = Line('Loop\n  MOVER(0) = 1 : GO(0)\n  Pause IDLE(0)\n  Print "."\nEnd Loop')
     for _ in range(101):

@@ -1,7 +1,4 @@
-"""No input ends the server or uses unlimited resources, nor does a silent host.
-
-A host cannot reach anything beyond the board.
-"""
+"""No input ends the server or uses unlimited resources, nor does a silent host."""
 
 from __future__ import annotations
 
@@ -69,10 +66,7 @@ def test_programs_without_end_do_not_keep_others_waiting(board: Board) -> None:
 
 
 def test_no_command_reaches_the_file_system() -> None:
-    """No command, plain or with a text, opens, creates or removes a file.
-
-    None connects to a host or starts a process either.
-    """
+    """No command, plain or with a text, opens, creates or removes a file."""
     console = Console(Machine(first_axis=1))
     port = console.open(echo=False)
     lines = [row.example for row in table()] + [f'{row.name}"../../etc/passwd"' for row in table()]
@@ -100,10 +94,7 @@ def test_no_command_reaches_the_file_system() -> None:
 
 @pytest.mark.parametrize("seed", range(4))
 def test_hosts_at_random(board: Board, seed: int) -> None:
-    """Partial lines, control characters, noise, broken connections.
-
-    The last host is served just like the first.
-    """
+    """Partial lines, control characters, noise, broken connections."""
     rng = random.Random(seed)
     pieces = [row.example.encode() for row in table()]
     pieces += [

@@ -65,10 +65,7 @@ def test_a_session(tmp_path: Path, end: signal.Signals) -> None:
 
 @pytest.mark.slow
 def test_a_log_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """More is logged than the pipe and the queue can store, but hosts are answered.
-
-    SIGTERM ends the server.
-    """
+    """More is logged than the pipe and the queue can store, but hosts are answered."""
     logged = 2 * (STORED + 65536)
     with running("--tcp", "0", "--log", "--clock", "lockstep") as process:
         with Client.open(line_with(process, "listening on "), timeout=MAX_SECONDS) as board:
@@ -104,17 +101,6 @@ def test_the_board_is_the_one_that_the_file_is_written_for(tmp_path: Path) -> No
             out = line_with(process, title)
             process.kill()
         assert out.startswith(", 8 axes")
-
-
-def test_a_serial_device() -> None:
-    pytest.importorskip("pty")
-    with running("--pty", "--clock", "lockstep") as process:
-        with Client.open(line_with(process, "serial device ")) as board:
-            board.send("1MN,1MR100000")
-            board.wait_for_stop(1)
-            assert board.position(1) == 100000
-        process.send_signal(signal.SIGTERM)
-        assert process.wait(20) == 0
 
 
 def test_hosts_that_are_connected_at_the_end_get_the_output() -> None:

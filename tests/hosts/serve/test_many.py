@@ -16,10 +16,7 @@ from tests.hosts.serve.conftest import Serve, Wire
 @pytest.mark.parametrize("clock", ["lockstep", "real"])
 @pytest.mark.slow
 def test_fifty_hosts_at_once_none_starved(serve: Serve, clock: str) -> None:
-    """Each host sends again as soon as it is answered, and all get similar shares.
-
-    When the first one has 200 answers, the last one has more than half of that.
-    """
+    """Each host sends again as soon as it is answered, and all get similar shares."""
     board = serve(clock=clock)
     wires = [board.connect() for _ in range(50)]
     counts = dict.fromkeys(wires, 0)
@@ -50,10 +47,7 @@ def test_a_host_that_sends_much_ahead_does_not_hold_up_one_that_asks(serve: Serv
 
 
 def test_one_host_too_many(serve: Serve) -> None:
-    """It gets the code of an I/O error.
-
-    After another host has left, there is a free slot again.
-    """
+    """It gets the code of an I/O error."""
     board = serve(limits=Limits(hosts=2))
     first, second = board.connect(), board.connect()
     third = Wire(board.address)
@@ -122,10 +116,7 @@ class Listed:
 
 
 def test_another_host_is_answered_first_each_time() -> None:
-    """The host that is answered first can also send its next line first.
-
-    In a fixed order it would get the most answers.
-    """
+    """The host that is answered first can also send its next line first."""
     order: list[str] = []
     console = Console(Machine(first_axis=1))
     with Server(console) as server:

@@ -1,7 +1,4 @@
-"""A Mint program with Modbus TCP and a real client: the map of ABB AN00198.
-
-The tests cover events and both clocks.
-"""
+"""A Mint program with Modbus TCP and a real client: the map of ABB AN00198."""
 
 from __future__ import annotations
 
@@ -203,10 +200,7 @@ def test_the_command_serves_until_it_is_told_to_end(tmp_path: Path) -> None:
 
 
 def test_output_that_is_not_read_holds_up_no_one(tmp_path: Path) -> None:
-    """Endless output into a pipe that is not read does not delay the clients.
-
-    SIGTERM ends the program.
-    """
+    """Endless output into a pipe that is not read does not delay the clients."""
     program = tmp_path / "chatter.mnt"
     program.write_text('Loop\n  NETINTEGER(1) = NETINTEGER(1) + 1\n  PRINT "{}"\nEnd Loop\n'.format("x" * 99))
     command = [sys.executable, "-m", "motionlang", "serve", str(program), "--modbus", "127.0.0.1:0"]

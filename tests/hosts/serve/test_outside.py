@@ -1,7 +1,4 @@
-"""Questions to a running program.
-
-Real time and lock step, with a clock that the test sets.
-"""
+"""Questions to a running program."""
 
 from __future__ import annotations
 
@@ -64,10 +61,7 @@ def test_real_time_goes_on_from_the_time_of_the_first_wait(monkeypatch: pytest.M
 
 
 def test_an_answer_ends_a_wait_in_real_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    """All waiting questions are answered at the present time.
-
-    The rest of the wait is left.
-    """
+    """All waiting questions are answered at the present time."""
     wall = Wall()
     outside = RealTimeQueue(1.0, wall)
     times = started(outside)

@@ -1,7 +1,4 @@
-"""`motionlang serve` from its first line to its last, when no host connects.
-
-The server ends as soon as it runs, so that everything happens in this process.
-"""
+"""`motionlang serve` from its first line to its last, when no host connects."""
 
 from __future__ import annotations
 

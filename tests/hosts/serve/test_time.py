@@ -60,10 +60,7 @@ def test_a_long_sleep_is_one_step() -> None:
 
 
 def test_an_answer_comes_a_little_early_and_no_more() -> None:
-    """Commands take machine time, but a host does not wait for that.
-
-    A program does not run ahead of real time by more than 2 ms.
-    """
+    """Commands take machine time, but a host does not wait for that."""
     wall = Wall()
     console = Console(Machine(first_axis=1))
     pace = RealTime(console, wall=wall)
@@ -135,10 +132,7 @@ def test_time_stands_still_in_lock_step_unless_a_host_waits(serve: Serve) -> Non
 
 
 def test_the_same_lines_are_answered_the_same_in_lock_step(serve: Serve) -> None:
-    """A client that polls a move reads reproducible positions.
-
-    Each request takes a millisecond.
-    """
+    """A client that polls a move reads reproducible positions."""
 
     def poll() -> list[bytes]:
         wire = serve().connect()
@@ -188,10 +182,7 @@ def idle(factor: float = 1.0) -> tuple[RealTime, Console, Wall]:
 
 
 def test_the_time_until_the_next_event_depends_on_the_factor() -> None:
-    """A wait of 10 s takes 2.5 s at 4 × real time.
-
-    When it is late, there is no time left.
-    """
+    """A wait of 10 s takes 2.5 s at 4 × real time."""
     pace, console, wall = idle(4.0)
     console.open(echo=False).feed(b"WA10\r")
     pace.work()

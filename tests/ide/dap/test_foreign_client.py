@@ -20,10 +20,7 @@ PACKAGE = "@vscode/debugadapter-testsupport"
 
 
 def test_a_session_of_debug_client(tmp_path: Path) -> None:
-    """The breakpoint stops at n = 2; then step over, out, into n = 3, and back.
-
-    A restart continues to the first statement at the time of the stop, which is the call.
-    """
+    """The breakpoint stops at n = 2; then step over, out, into n = 3, and back."""
     node = shutil.which("node")
     if node is None:
         pytest.skip("node is not installed")

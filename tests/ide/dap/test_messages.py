@@ -73,10 +73,7 @@ def framed(*parts: bytes) -> io.BytesIO:
 
 
 def test_messages_one_after_another() -> None:
-    """The header has any letter case and further fields.
-
-    Blank lines before it are skipped.
-    """
+    """The header has any letter case and further fields."""
     stream = framed(
         written({"a": "ä"}),
         b"\r\n\n",
@@ -106,10 +103,7 @@ def test_messages_one_after_another() -> None:
     ],
 )
 def test_a_message_that_cannot_be_read(data: bytes, message: str, is_fatal: bool) -> None:
-    """The stream can go on after a body that is no message.
-
-    It cannot after a wrong header.
-    """
+    """The stream can go on after a body that is no message."""
     with pytest.raises(WrongMessage) as caught:
         read(framed(data))
     assert (str(caught.value), caught.value.is_fatal) == (message, is_fatal)

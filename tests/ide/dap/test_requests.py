@@ -1,7 +1,4 @@
-"""Requests of the debug adapter.
-
-Arguments, lines from 0 or 1, variables, watches, and the frames of messages.
-"""
+"""Requests of the debug adapter."""
 
 from __future__ import annotations
 
@@ -37,16 +34,6 @@ def stopped(client: Client, tmp_path: Path) -> tuple[Client, dict[str, Any]]:
 # -------------------------------------------------------------------------------------------------- variables
 
 
-def test_the_variables_of_each_scope(stopped: tuple[Client, dict[str, Any]]) -> None:
-    client, stop = stopped
-    scopes = client.scopes(stop)
-    assert scopes["Variables"] == {"a": "3 elements", "n": "0"}
-    assert scopes["Inputs"] == {"input 5": "1", "analogue input 0": "25"}
-    assert scopes["Outputs"]["output 2"] == "1"
-    assert scopes["Axes"]["axis 0"].startswith("position ")
-    assert "Local" not in scopes
-
-
 def reference(client: Client, stop: dict[str, Any], scope: str) -> int:
     frame = client.ask("stackTrace", threadId=stop["body"]["threadId"])["stackFrames"][0]["id"]
     scopes = client.ask("scopes", frameId=frame)["scopes"]
@@ -78,19 +65,6 @@ def test_elements_and_their_sections(stopped: tuple[Client, dict[str, Any]]) -> 
     assert client.ask("setVariable", variablesReference=number, name="a(3)", value="n + 4")["value"] == "4"
     found = client.ask("variables", variablesReference=number)["variables"]
     assert [each["value"] for each in found] == ["0", "7", "4"]
-
-
-def test_the_lines_of_an_axis_have_units(stopped: tuple[Client, dict[str, Any]]) -> None:
-    client, stop = stopped
-    found = client.ask("variables", variablesReference=reference(client, stop, "Axes"))["variables"]
-    assert "evaluateName" not in found[0]
-    lines = {
-        each["name"]: each["value"]
-        for each in client.ask("variables", variablesReference=found[0]["variablesReference"])["variables"]
-    }
-    assert lines["target"] == "100 uu"
-    assert lines["velocity"].endswith(" uu/s")
-    assert (lines["state"], lines["buffer"]) == ("moving", "0 elements")
 
 
 @pytest.mark.parametrize(
@@ -168,19 +142,6 @@ def test_watches_that_are_none(stopped: tuple[Client, dict[str, Any]]) -> None:
     assert stop["body"]["text"].startswith("n changes from 0 to 1")
 
 
-@pytest.mark.parametrize(
-    ("expression", "wanted"),
-    [("n + 2", "2"), ("a(2)", "7"), ("a", "3 elements"), ("time < 1", "1"), ("output(2)", "1")],
-)
-def test_an_expression_is_evaluated(
-    stopped: tuple[Client, dict[str, Any]], expression: str, wanted: str
-) -> None:
-    client, _ = stopped
-    found = client.ask("evaluate", expression=expression)
-    assert found["result"] == wanted
-    assert bool(found["variablesReference"]) == (expression == "a")
-
-
 # ------------------------------------------------------------------------------------- lines, frames, phases
 
 
@@ -246,18 +207,6 @@ def test_some_frames_of_a_stack(client: Client, tmp_path: Path) -> None:
     assert "there is no thread 99" in client.refused("stackTrace", threadId=99)
     assert "there is no frame 999 at this stop" in client.refused("scopes", frameId=999)
     assert "there is no frame 0 at this stop" in client.refused("scopes", frameId=0)
-
-
-def test_threads_say_what_they_wait_for(client: Client, tmp_path: Path) -> None:
-    path = tmp_path / "a.mnt"
-    path.write_text("Run Blink\nWAIT(100)\nPrint 1\nEnd\nTask Blink\n  PAUSE INX(2)\nEnd Task\n")
-    client.launch(path)
-    client.ask("setBreakpoints", source={"path": str(path)}, breakpoints=[{"line": 3}])
-    assert client.ask("threads")["threads"] == [{"id": 1, "name": "program"}]
-    client.begin()
-    names = [each["name"] for each in client.ask("threads")["threads"]]
-    assert names[0] == "ParentTask"
-    assert names[1].lower().startswith("blink (waits ")
 
 
 @pytest.mark.parametrize(
@@ -334,10 +283,7 @@ def test_an_internal_error_in_a_command_ends_the_session_with_its_text(
     [("Print 1\n", 0, "ended after "), ("Print 1\nDim a(2)\na(n + 9) = 1\n", 1, "fault after ")],
 )
 def test_the_end_of_a_program(client: Client, tmp_path: Path, text: str, status: int, last: str) -> None:
-    """The exit status is that of the command line.
-
-    The console says how the program ended.
-    """
+    """The exit status is that of the command line."""
     path = tmp_path / "a.mnt"
     path.write_text("Dim n As Integer\n" + text)
     client.launch(path)

@@ -375,17 +375,6 @@ def test_a_program_that_never_ends_can_be_paused_and_stepped_back() -> None:
     debugger.abandon()
 
 
-def test_tasks_show_what_they_wait_for() -> None:
-    text = "Run Blink\nWAIT(100)\nEnd\nTask Blink\n  PAUSE INX(2)\n  OUTX(1) = 1\nEnd Task\n"
-    debugger = mint(text)
-    debugger.start()
-    debugger.next()
-    debugger.go_to_time(0.05)
-    debugger.step_back()
-    names = [each.name for each in debugger.state().tasks()]
-    assert "ParentTask" in names
-
-
 def test_an_axis_is_shown_at_the_time_of_the_stop() -> None:
     """GO is the sixth statement of 10 µs each; after the ramp the axis has 50 uu/s."""
     debugger = mint(MOVE.replace("PAUSE IDLE(0)", "While IDLE(0) = 0 : TIME = 0 : End While"))

@@ -157,23 +157,6 @@ def test_the_log_of_a_wait_is_searched_when_it_has_doubled() -> None:
     assert [until for _, until in intervals] == [3e5, 7e5, 15e5, 31e5, 40e5]
 
 
-def test_a_watched_variable_is_compared_at_each_statement_of_a_search() -> None:
-    """`total` becomes 2, 6 and 12; the log is searched in between."""
-    debugger = mint(CALLS)
-    debugger.watched = [Watched(("module", "total"))]
-    recorded(debugger)
-    stops = []
-    stop = debugger.start(False)
-    while stop is not None:
-        stops.append(shown(stop))
-        stop = debugger.go_on()
-    assert stops == [
-        (5, 9, "change", "total changes from 0 to 2 before line 9", None),
-        (8, 9, "change", "total changes from 2 to 6 before line 9", None),
-        (11, 11, "change", "total changes from 6 to 12 before line 11", None),
-    ]
-
-
 BLINKS = READS.replace("k = INX(5)\n", "OUTX(2) = 1\nOUTX(2) = 0\nk = k + 1\n", 2)
 
 

@@ -1,7 +1,4 @@
-"""The state at a stop.
-
-Axes, channels, variables and expressions, and the checkpoints of a run.
-"""
+"""The state at a stop."""
 
 from __future__ import annotations
 
@@ -125,7 +122,6 @@ End Event
 
 
 def test_tasks_with_their_waits_and_calls() -> None:
-    """The event is at 20 ms, while the program waits for 100 ms."""
     debugger = mint(TASKS, {"input": [{"channel": 1, "at": 0.02, "value": 1}]})
     debugger.start()
 

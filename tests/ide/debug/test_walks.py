@@ -1,7 +1,4 @@
-"""A sample of random debugger walks: no result changes, every state is replayed.
-
-`python -m tests.ide.debug.walks 500` is the long form.
-"""
+"""A sample of random debugger walks: no result changes, every state is replayed."""
 
 from __future__ import annotations
 

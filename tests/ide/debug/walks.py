@@ -32,10 +32,7 @@ def go_to_number(debugger: Debugger, number: int) -> Stop | None:
 
 
 def snapshot(debugger: Debugger) -> object:
-    """Return everything that the debugger shows at a stop, except values "at …".
-
-    These are motion at an earlier moment, which depends on why the program stopped.
-    """
+    """Return everything that the debugger shows at a stop, except values "at …"."""
     state = debugger.state()
     tasks = state.tasks()
     calls = [

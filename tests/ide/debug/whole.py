@@ -18,9 +18,6 @@ STREAMS = (
 
 
 def whole(run: Run) -> tuple[str, list[list[list[object]]]]:
-    """Return the report and the log of a run, which must be equal in both runs.
-
-    The report includes the figures of its loops.
-    """
+    """Return the report and the log of a run, which must be equal in both runs."""
     log = run.machine.log
     return text(run), [[list(each) for each in getattr(log, name)] for name in STREAMS]

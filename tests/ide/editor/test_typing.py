@@ -109,10 +109,7 @@ WHOLE = (
 def test_a_proposal_replaces_what_was_begun(
     language: str, text: str, begun: int, wanted: tuple[tuple[object, ...], ...]
 ) -> None:
-    """The last `begun` characters before the cursor are replaced.
-
-    A keyword has the case of its beginning.
-    """
+    """The last `begun` characters before the cursor are replaced."""
     found = proposed(text, language)
     assert {each.start for each in found} == {text.index("|") - begun}
     rows = [(each.label, each.kind, each.detail, each.text, each.snippet, each.rank) for each in found]

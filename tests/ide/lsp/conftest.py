@@ -128,10 +128,7 @@ async def stop(client: LanguageClient) -> int:
 
 @pytest.fixture(scope="session")
 def in_one_server() -> Iterator[InOneServer]:
-    """Yield a function that runs `work` with the text at a path.
-
-    All tests share one server. A test has texts of its own, in its `tmp_path`.
-    """
+    """Yield a function that runs `work` with the text at a path."""
     with asyncio.Runner() as runner:
         first = Editor(make_test_lsp_client(), "")
         runner.run(asyncio.wait_for(start(first, options=OPTIONS), MAX_SECONDS))

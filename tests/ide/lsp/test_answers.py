@@ -1,12 +1,8 @@
-"""Answers of the server, in this process.
-
-Positions, kinds and forms of each request.
-"""
+"""Answers of the server, in this process."""
 
 from __future__ import annotations
 
 import asyncio
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -282,20 +278,3 @@ def test_the_language_of_a_text(name: str, language: str, count: int | None) -> 
     published = asyncio.run(whole())
     assert len(published) == (0 if count is None else 1)
     assert all(each["diagnostics"] for each in published)
-
-
-def test_the_machine_file_on_the_disk(tmp_path: Path) -> None:
-    """The travel of axis 0 ends at 100, the move at 500."""
-    program = (tmp_path / "a.mnt").as_uri()
-
-    async def codes() -> list[str]:
-        wire = Wire()
-        wire.request("first", "initialize", INITIALIZE)
-        item = {"uri": program, "languageId": "mint", "version": 1, "text": "MOVEA(0) = 500 : GO(0)\n"}
-        wire.notify("textDocument/didOpen", {"textDocument": item})
-        await wire.settled()
-        return [each["code"] for each in wire.sent[-1]["params"]["diagnostics"]]
-
-    assert asyncio.run(codes()) == []
-    (tmp_path / "a.machine.toml").write_text("[axis.0]\ntravel = [0, 100]\n")
-    assert asyncio.run(codes()) == ["beyond-travel"]

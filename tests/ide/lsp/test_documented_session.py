@@ -1,7 +1,4 @@
-"""The editor session of docs/debugging.md: mistake, quick fix, times.
-
-The page continues at the prompt with the same program; `tests/test_docs.py` runs that part.
-"""
+"""The editor session of docs/debugging.md: mistake, quick fix, times."""
 
 from __future__ import annotations
 

@@ -69,10 +69,7 @@ def test_characters_of_utf_16_units(line: str, count: int, wanted: int) -> None:
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_positions_of_offsets(end: str) -> None:
-    """An offset counts one character for a line end.
-
-    A position outside is the nearest one.
-    """
+    """An offset counts one character for a line end."""
     document = OpenDocument(URI, f"ab{end}\U0001f527c{end}", 1)
     places = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 2), (1, 3), (2, 0)]
     for offset, (line, character) in enumerate(places):

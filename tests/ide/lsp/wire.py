@@ -47,10 +47,7 @@ INITIALIZE: dict[str, Any] = {"processId": None, "rootUri": None, "capabilities"
 
 
 class Checks(Inline):
-    """Finds names and executes checks in this process.
-
-    Runs have no result, because some programs would run too long.
-    """
+    """Finds names and executes checks in this process."""
 
     async def do(self, job: Job) -> Result | None:
         return NO_TIMES if job.what == TIMES else work(job)

@@ -52,10 +52,7 @@ def test_touching_a_position_and_turning_back_passes_it_both_ways() -> None:
 @pytest.mark.parametrize("days", [0.01, 1.0, 30.0])
 @pytest.mark.parametrize("speed", [1e5, 1e7, 84e6])
 def test_a_fast_axis_passes_once_also_after_days(days: float, speed: float) -> None:
-    """After days the clock is coarser than a position's margin.
-
-    So an event may be slightly early.
-    """
+    """After days the clock is coarser than a position's margin."""
     c = machine()
     for name, value in (("speed", speed), ("accel", 1e9), ("decel", 1e9)):
         c.configure(0, name, value)

@@ -1,7 +1,4 @@
-"""A file in the other language gives a single message.
-
-A file with errors in its own language never gives it.
-"""
+"""A file in the other language gives a single message."""
 
 from __future__ import annotations
 

@@ -79,10 +79,7 @@ def test_local_names_of_two_subs_are_apart() -> None:
 @pytest.mark.slow
 @cases("path", GALLERY, ids=lambda path: path.name)
 def test_the_gallery_with_other_names_gets_the_same_diagnostics(path: Path) -> None:
-    """`check` reports the same for the same lines after every name has been changed.
-
-    The names come from another process.
-    """
+    """`check` reports the same for the same lines after every name has been changed."""
     source = Source.read(path)
     language = dialect("mint" if path.suffix == ".mnt" else "mccl")
     found = pickle.loads(pickle.dumps(language.program(source).names))

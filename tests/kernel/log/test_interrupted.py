@@ -73,10 +73,7 @@ Next
 
 
 class Ended:
-    """An interrupt (Ctrl-C) at the `at`-th executed line of some functions.
-
-    The executed lines are counted.
-    """
+    """An interrupt (Ctrl-C) at the `at`-th executed line of some functions."""
 
     def __init__(self, locations: tuple[str, ...] | dict[str, set[str]], at: int) -> None:
         self.locations, self.at, self.count = locations, at, 0

@@ -1,7 +1,4 @@
-"""Motion along curves, in sequence and superposed, equals plain arithmetic.
-
-Derivatives are compared with numerical ones.
-"""
+"""Motion along curves, in sequence and superposed, equals plain arithmetic."""
 
 from __future__ import annotations
 
@@ -374,29 +371,6 @@ def test_a_place_at_the_end_of_a_curve_is_as_bent_as_before_it() -> None:
     assert evaluate(back, np.array([0.0]), 2)[0] == pytest.approx(1.8)
 
 
-def test_a_state_follows_the_chain_rule() -> None:
-    """At distance 1 + 2t + t² + t³ on 1 + x + x² + x³ + 5, at t = 0.
-
-    There f = 4, f' = 6, f'' = 8 and f''' = 6; s' = 2, s'' = 2 and s''' = 6. So v = 6 * 2, a = 8 * 2² + 6 * 2 and
-    j = 6 * 2³ + 3 * 8 * 2 * 2 + 6 * 6. Farther on the curve is straight: at t = 1 it is 3 beyond the end, with
-    s' = 7, s'' = 8 and s''' = 6.
-    """
-    along = from_curve(
-        "scurve", 1.0, 5.0, ((0.0, 1.0), ((1.0, 2.0, 1.0, 1.0, 0.0, 0.0, 0.0),), (("accel", 0),)), 2.0, 7.0
-    )
-    made = Reparametrised(along, LIFTED, "cam", 5.0)
-    cases = (
-        (0.0, (9.0, 12.0, 44.0, 180.0)),
-        (1.0 - 1e-12, (15.0 + 17.0 * 3.0 + 5.0, 17.0 * 7.0, 17.0 * 8.0, 17.0 * 6.0)),
-    )
-    for time, expected in cases:
-        state = made.at(time)
-        assert (state.position, state.velocity, state.acceleration, state.jerk) == pytest.approx(expected), (
-            time
-        )
-    assert (made.start, made.end, made.start_velocity, made.end_velocity) == (9.0, 71.0, 12.0, 119.0)
-
-
 @pytest.mark.parametrize(
     ("position", "after", "expected"),
     [
@@ -594,17 +568,6 @@ def test_only_the_section_travelled_has_peaks(low: float, high: float, expected:
     along = UNIFORM.cut((high + 4.0) / 2.0).after((low + 4.0) / 2.0)
     made = Reparametrised(along, LIFTED, "cam", 5.0)
     assert (made.peak_speed, made.peak_acceleration) == pytest.approx(expected)
-
-
-def test_the_steepest_point_before_the_section_travelled_does_not_count() -> None:
-    """From 3 to 3.5 the slope falls from 60/16 * 3 - 60/64 * 3² = 45/16.
-
-    The cubic is steepest at 2.
-    Its second derivative is 60/16 - 120/64 * 3.5 = -45/16 at 3.5. Both are passed at 2.
-    """
-    level = from_curve("cam", 0.0, 10.0, ((0.0, 4.0), (CUBIC,), (("cam", 0),)), 0.0, 0.0)
-    made = Reparametrised(UNIFORM.cut(3.75).after(3.5), level)
-    assert (made.peak_speed, made.peak_acceleration) == pytest.approx((45.0 / 8.0, 45.0 / 4.0))
 
 
 def test_a_rest_without_an_end_is_a_phase_of_no_distance() -> None:

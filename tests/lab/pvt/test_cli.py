@@ -205,16 +205,6 @@ def test_a_picture_has_the_format_of_its_file(command: str, name: str, head: byt
     assert (tmp_path / name).read_bytes().startswith(head)
 
 
-@pytest.mark.parametrize("name", ["move.png", "move.svg"])
-def test_the_same_points_give_the_same_picture(name: str, tmp_path: Path) -> None:
-    file = tmp_path / name
-    pictures = []
-    for _ in range(2):
-        assert pvt("plot", *POINTS, "--plot", str(file)).status == 0
-        pictures.append(file.read_bytes())
-    assert pictures[0] == pictures[1]
-
-
 @pytest.mark.usefixtures("unrendered")
 def test_export_draws(tmp_path: Path) -> None:
     assert pvt("export", *POINTS, "--plot", str(tmp_path / "move.png")).status == 0

@@ -29,11 +29,6 @@ def test_the_example_of_the_note() -> None:
     )
 
 
-def test_time_and_jerk_say_the_same() -> None:
-    assert scurve_time(1000.0, 500_000.0) == pytest.approx(0.1)
-    assert limited_scurve(1000.0, 500_000.0)[1].time == pytest.approx(0.1)
-
-
 @given(distances, st.floats(0.001, 1.0))
 def test_acceleration_never_jumps(distance: float, time: float) -> None:
     profile = plan_points(scurve(distance, time))

@@ -7,10 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from motionlang.kernel.planners import pvt_velocities
 from motionlang.kernel.planners.pvt.velocities import (
     average_velocities,
-    largest_jump,
     refined_velocities,
     smooth_velocities,
 )
@@ -37,14 +35,6 @@ def test_f1_and_f2_are_the_formulas_of_the_note() -> None:
     assert refined_velocities(p, v, T) == pytest.approx(expected, rel=1e-12)
 
 
-@given(moves())
-def test_the_exact_velocities_leave_no_jump(move: tuple[list[float], list[float]]) -> None:
-    positions, times = move
-    velocities = smooth_velocities(positions, times)
-    scale = max(map(abs, positions)) / min(times) ** 2
-    assert largest_jump(positions, velocities, times) <= 1e-12 * scale
-
-
 @given(moves(), st.floats(-1e5, 1e5), st.floats(-1e5, 1e5))
 def test_the_exact_velocities_solve_the_spline(
     move: tuple[list[float], list[float]], first: float, last: float
@@ -64,8 +54,3 @@ def test_the_exact_velocities_solve_the_spline(
 
 def test_average_of_unequal_times_is_the_mean_velocity() -> None:
     assert average_velocities([0, 10, 40], [0.01, 0.02]) == pytest.approx([0, 40 / 0.03, 0])
-
-
-def test_without_velocities_the_accelerations_jump_most() -> None:
-    assert largest_jump(FOUR_POINTS, pvt_velocities("zero", FOUR_POINTS, T), T) == pytest.approx(9e8)
-    assert largest_jump(FOUR_POINTS, pvt_velocities("average", FOUR_POINTS, T), T) == pytest.approx(1.5e8)

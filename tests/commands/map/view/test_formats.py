@@ -89,6 +89,11 @@ def test_the_page_is_complete_in_itself(name: str, cell: Cell) -> None:
     assert all(f'id="L{number}"' in text for number in range(1, PROGRAMS[name].count("\n") + 1))
 
 
+def test_lines_that_are_never_reached_are_marked(cell: Cell) -> None:
+    drawn = written(cell, "a.mnt", "PAUSE INX(1)\nEnd\nSub unused\n  Print 2\nEnd Sub\n", "html")
+    assert re.findall(r'"row never" id="(L\d)"', drawn) == ["L4"]
+
+
 def test_json_has_every_table(cell: Cell) -> None:
     found = json.loads(written(cell, "a.mnt", "PAUSE INX(3)\nMOVER(0) = 5 : GO(0)\n", "json"))
     assert found["schema"] == "motionlang/1"

@@ -150,10 +150,7 @@ def test_registers_from_an_odd_one_to_an_even_one_change_two_halves() -> None:
 
 
 def test_how_values_of_the_machine_file_are_stored() -> None:
-    """An integer in the comms array is a float unless it says otherwise.
-
-    Elsewhere it is an integer.
-    """
+    """An integer in the comms array is a float unless it says otherwise."""
     controller, memory = Controller(1), HostMemory()
     clock = controller.clock
     clock.advance(2.0)

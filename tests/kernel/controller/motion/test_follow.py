@@ -1,7 +1,4 @@
-"""Master and slave: gearing, ramps, cams, flying shears, offsets.
-
-Positions are exact at any time.
-"""
+"""Master and slave: gearing, ramps, cams, flying shears, offsets."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Other buffer entries: dwells, outputs, pulses.
-
-The tests include identifiers and low-buffer events.
-"""
+"""Other buffer entries: dwells, outputs, pulses."""
 
 from __future__ import annotations
 

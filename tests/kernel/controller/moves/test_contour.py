@@ -32,10 +32,7 @@ def test_a_short_path_at_the_end_of_long_ones_is_run_to_its_end() -> None:
 
 
 def test_a_stop_that_needs_more_room_than_there_is_leaves_the_run_as_it_was_planned() -> None:
-    """Axis 0 brakes so slowly that it can only stop on the path after the corner.
-
-    That path is along axis 1.
-    """
+    """Axis 0 brakes so slowly that it can only stop on the path after the corner."""
     c = plane(contour_mode=True, contour_angle=180.0, feedrate_mode=1)
     c.configure(0, "max_decel", 100.0 * 10.0)
     for speed, distances in ((2000.0, [4000.0, 0.0]), (1500.0, [0.0, 125.0])):

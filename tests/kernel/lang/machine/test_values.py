@@ -1,7 +1,4 @@
-"""The machine file with any value for any key either runs or is rejected.
-
-Errors have a location and a hint.
-"""
+"""The machine file with any value for any key either runs or is rejected."""
 
 from __future__ import annotations
 

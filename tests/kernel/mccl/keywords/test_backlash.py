@@ -1,7 +1,4 @@
-"""Backlash: the motor leads the load by half of it, also with a simulated motor.
-
-The mechanism is that of Mint.
-"""
+"""Backlash: the motor leads the load by half of it, also with a simulated motor."""
 
 from __future__ import annotations
 
@@ -10,8 +7,6 @@ import pytest
 from motionlang import run
 from motionlang.kernel import Source
 from tests.mccl_runs import Runner
-
-MOTOR = {"axis.1.plant.amplifier": "current"}
 
 
 @pytest.mark.parametrize("motor", [False, True])

@@ -14,10 +14,7 @@ KNOWN = [row for row in table() if not row.simulated]
 
 @cases("row", SIMULATED, ids=lambda row: row.name)
 def test_an_example_stands_alone_and_runs_without_a_complaint(row: Keyword, mccl: Runner) -> None:
-    """An example runs as printed, from power-up.
-
-    The machine is bare unless the row needs more.
-    """
+    """An example runs as printed, from power-up."""
     assert row.name in row.example
     result = mccl(f"{row.example}\n", until=2.0, machine=machine_of(row))
     assert not [each.message for each in result.diagnostics]

@@ -1,7 +1,4 @@
-"""SUSPEND and STOP of a spline near the end of a cycle.
-
-The playback slows down across the seam to the next cycle.
-"""
+"""SUSPEND and STOP of a spline near the end of a cycle."""
 
 from __future__ import annotations
 

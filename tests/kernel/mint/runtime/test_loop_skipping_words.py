@@ -1,7 +1,4 @@
-"""A loop that reads any keyword is skipped with an equal result.
-
-Keywords whose value changes by itself are marked as such.
-"""
+"""A loop that reads any keyword is skipped with an equal result."""
 
 from __future__ import annotations
 

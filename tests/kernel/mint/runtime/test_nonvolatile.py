@@ -1,7 +1,4 @@
-"""nv data: a run finds the data of the previous one, if they match its variables.
-
-The data need a file.
-"""
+"""nv data: a run finds the data of the previous one, if they match its variables."""
 
 from __future__ import annotations
 

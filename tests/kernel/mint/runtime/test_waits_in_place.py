@@ -1,7 +1,4 @@
-"""Waits of a program's only task need no task switch, with an equal result.
-
-It is equal to the last bit.
-"""
+"""Waits of a program's only task need no task switch, with an equal result."""
 
 from __future__ import annotations
 

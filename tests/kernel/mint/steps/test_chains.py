@@ -1,7 +1,4 @@
-"""Thousands of chained terms, conditions or statements run like a few.
-
-Chains are not nested in the compiler. Only the nesting of brackets is limited.
-"""
+"""Thousands of chained terms, conditions or statements run like a few."""
 
 from __future__ import annotations
 
@@ -143,10 +140,7 @@ def test_a_chain_of_elseif_is_no_nesting(count: int, branch: int) -> None:
 
 @pytest.mark.parametrize("count", [5, 150])
 def test_what_leaves_a_chain_of_elseif(count: int) -> None:
-    """An Exit from the loop, Select or function around the chain leaves it.
-
-    So does a jump, which may be long.
-    """
+    """An Exit from the loop, Select or function around the chain leaves it."""
     loop = f"For f = 1 To 9\n{chosen(count, count - 1, 'If f = 3 Then Exit For' + chr(10))}Next\nPRINT f"
     assert ran(loop).output == [str(count - 1)] * 3 + ["3.0000"]
     bare = f"Loop\n{chosen(count, count - 1, 'Exit' + chr(10))}End Loop\nPRINT 7"

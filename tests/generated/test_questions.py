@@ -1,0 +1,93 @@
+"""Answers about drawn programs that are known without the command: counts, times, and a recording of the run itself.
+
+`python -m tests.generated.test_questions 1000` asks so many programs.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from collections.abc import Callable
+from random import Random
+
+import numpy as np
+import pytest
+
+from motionlang import compare
+from motionlang.commands.cover.worlds import Counts
+from motionlang.kernel import Run, Source, run
+from motionlang.kernel.lang.debugging import Hook
+from tests.cases import examples
+from tests.generated.compared import every_iteration
+from tests.generated.motion import generate
+from tests.golden.test_gallery import assert_every_second_is_charged_once
+
+UNTIL = 3.0
+
+
+def ran(seed: int, hook: Hook | None = None, **more: Hook) -> Run:
+    program = generate(seed)
+    return run(Source(program.name, program.text), machine=program.machine, until=UNTIL, hook=hook, **more)  # type: ignore[arg-type]
+
+
+def cover_counts_what_a_debugger_steps_through(seed: int) -> None:
+    met: Counter[int] = Counter()
+    with every_iteration():
+        ran(seed, Hook(lambda task, time, offset: met.update([offset]), limit=0))
+    counts = Counts()
+    ran(seed, counts, observer=counts)
+    begun = {at: count for (at, outcome, _), count in counts.events.items() if outcome == -1 and count}
+    assert begun == met
+
+
+def a_profile_charges_every_second_once(seed: int) -> None:
+    assert_every_second_is_charged_once(ran(seed))
+
+
+def a_run_agrees_with_its_own_recording(seed: int) -> None:
+    """The recording is late, scaled, of another zero and of few rows; it may end before the last move has rested."""
+    draw, result = Random(seed), ran(seed)
+    delay, scale = round(draw.uniform(0.0, 0.5), 3), draw.choice((1.0, 2.5, -1.0))
+    rate = draw.choice((100.0, 250.0, 1000.0))
+    for axis in result.trace.axes[:1]:
+        samples = result.trace.sample(rate, [axis], None, ["position"])
+        positions = samples.get(axis, "position")
+        if len(positions) < 3 or np.ptp(positions) < 1.0:
+            continue
+        rows = (
+            f"{t + delay:.9f},{scale * x + 3.0:.6f}" for t, x in zip(samples.time, positions, strict=True)
+        )
+        source = Source("real.csv", "\n".join(["t,x", *rows]))
+        found = compare(result, source, {f"position.{axis}": "x"})
+        assert abs(found.delay - delay) <= max(1.0 / rate, 0.005)
+        remarks = [each.message for each in found.remarks if "not recorded" not in each.message]
+        # A scale shows in a whole move alone.
+        assert len(remarks) <= (scale != 1.0)
+        assert all("times as far as the run" in each for each in remarks)
+
+
+CHECKS = (
+    cover_counts_what_a_debugger_steps_through,
+    a_profile_charges_every_second_once,
+    a_run_agrees_with_its_own_recording,
+)
+
+
+@pytest.mark.parametrize("check", CHECKS)
+def test_a_known_answer(check: Callable[[int], None]) -> None:
+    for seed in range(examples(40)):
+        check(seed)
+
+
+def differs(check: Callable[[int], None], seed: int) -> bool:
+    try:
+        check(seed)
+    except AssertionError:
+        return True
+    return False
+
+
+if __name__ == "__main__":
+    for check in CHECKS:
+        wrong = [seed for seed in range(int(sys.argv[1])) if differs(check, seed)]
+        print(f"{check.__name__}: {len(wrong)} of {sys.argv[1]} differ", *wrong)
