@@ -115,7 +115,10 @@ examples:
         read=mapped,
         many=True,
     )
-    update: bool = flag("print what the recording changes in the machine file that exists, as patch takes it")
+    update: bool = flag(
+        "print what a recording, or a search with what a person has corrected, changes in the machine file that "
+        "exists, as patch takes it"
+    )
     write: bool = flag("with --update: write the machine file, too")
     cycle: int | None = option(
         "N",
@@ -130,8 +133,6 @@ examples:
             raise WrongOption(
                 "--new runs nothing: it takes no --until, --seconds, --cycle, --recording or --format"
             )
-        if self.update and self.recording is None:
-            raise WrongOption("--update takes what a recording measured: give --recording REC")
         if self.write and not self.update:
             raise WrongOption("--write writes what --update prints: give --update, too")
         if self.map and self.recording is None:
@@ -171,7 +172,7 @@ examples:
         if language is None:
             raise Refused([no_dialect(file)], file=file, status=2)
         if self.update:
-            return self._update(language.program(read(file)), path)
+            return self._update(language.program(read(file), is_debug=self.recording is None), path)
         if os.path.lexists(path):
             hint = f"motionlang run {file} runs the program with it"
             if self.recording is not None:
@@ -250,8 +251,11 @@ examples:
             raise Refused(error.diagnostics, source=table.source, file=path) from None
 
     def _update(self, program: Program, path: str) -> int:
-        """Print what the recording changes in a machine file, write it on request, and return the exit status."""
-        from motionlang.commands.init.recorded.update import update
+        """Print what changes in a machine file, write it on request, and return the exit status.
+
+        Without a recording a line without `guess = true` is true, and the rest is searched again.
+        """
+        from motionlang.commands.init.recorded.update import FileUpdate, searched, true_settings, update
 
         if program.errors:
             raise Refused(program.errors, source=program.source, file=self.file)
@@ -260,9 +264,17 @@ examples:
             settings = read_machine(machine)
         except ProgramError as error:
             raise Refused(error.diagnostics, source=machine, file=path) from None
-        found = self._in_recording(
-            lambda recording: update(program, recording, machine.text, settings, self.until)
-        )
+        status = 0
+        if self.recording is not None:
+            found = self._in_recording(
+                lambda recording: update(program, recording, machine.text, settings, self.until)
+            )
+        else:
+            drafted = self._drafted(program, true_settings(settings))
+            fault = drafted.exploration.fault_of(drafted.run)
+            status = int(bool(fault))
+            sentences = [f"no good piece was found: the best cycle {fault}"] if fault else []
+            found = FileUpdate(searched(machine.text, settings, drafted.world.settings), sentences)
         sys.stdout.writelines(
             unified_diff(
                 machine.text.splitlines(keepends=True), found.text.splitlines(keepends=True), path, path
@@ -276,7 +288,7 @@ examples:
             except OSError as error:
                 raise Refused([unwritten(path, error)], file=self.file) from None
             sys.stdout.write(f"{path}: written\n")
-        return 0
+        return status
 
     def _drafted(self, program: Program, given: dict[str, object]) -> Draft:
         """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""

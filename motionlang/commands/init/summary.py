@@ -64,7 +64,11 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     if what := exploration.fault_of(result):
         found.append(f"no good piece was found: the best cycle {what}")
         found += islice(_not_reached(structure, exploration), SHOWN)
-        found.append(f"to find by hand what leads there: motionlang panel {exploration.program.source.name}")
+        name = exploration.program.source.name
+        found.append(f"to find by hand what leads there: motionlang panel {name}")
+        found.append(
+            f"or correct an entry, remove its guess = true, and let motionlang init {name} --update search the rest"
+        )
     if still:
         moved = {each.line for each in result.machine.log.moves}
         line = min(_move_lines(structure) - moved or _move_lines(structure))

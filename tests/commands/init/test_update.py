@@ -83,8 +83,36 @@ def test_entries_in_blocks_stay_and_others_follow(cell: Cell) -> None:
     assert "\n[[input]]\n# 0.180 s ± 0.001 (12 changes)\nchannel = 2\noutput = 9\ndelay = 0.18\n" in text
 
 
-def test_without_a_recording_there_is_nothing_to_update(cell: Cell) -> None:
-    recorded(cell)
-    ran = cell("init", "saw.mccl", "--update")
-    assert ran.status == 2
-    assert "--update takes what a recording measured: give --recording REC" in ran.err
+CORRECTED = """\
+# corrected by hand
+run.until = 60
+input = [
+  # the part
+  { channel = 0, at = 9.0, guess = true },
+  { channel = 1, name = "eye", output = 2, value = 0, delay = 0.1 },
+]
+"""
+FEEDER = """\
+SPEED = 50 : ACCEL = 500 : DECEL = 500
+LOOP
+  PAUSE INX.0
+  MOVER = 10 : GO : PAUSE IDLE
+  PAUSE INX.1
+  OUTX.2 = 1 : WAIT = 200 : OUTX.2 = 0
+  ? "FED"
+  PAUSE NOT INX.0
+ENDL
+"""
+
+
+def test_what_a_person_has_corrected_is_true_and_the_rest_is_searched(cell: Cell) -> None:
+    cell.write("feed.prg", FEEDER)
+    cell.write("feed.machine.toml", CORRECTED)
+    ran = cell("init", "feed.prg", "--update", "--write")
+    changes = [line for line in ran.out.split("\n") if line[:1] in ("-", "+")]
+    assert changes[2:] == [
+        "-  { channel = 0, at = 9.0, guess = true },",
+        "+  { channel = 0, asked = 0.3, guess = true },",
+    ]
+    assert ran.status == 0
+    assert cell("init", "feed.prg", "--update").out == ""

@@ -1,4 +1,4 @@
-"""A machine file that exists, with what a recording measured: guesses are replaced, and nothing else.
+"""A machine file that exists, with what a recording measured or a search found: guesses are replaced, nothing else.
 
 An entry of `input` or `analogue` with `guess = true` is a line of the draft, and so are the switches of an axis with
 `guess = true`. These lines are replaced. An entry of a person stays; a sentence says where the recording differs.
@@ -72,6 +72,36 @@ def update(
     for table in TABLES:
         lines = _fitted(lines, guesses.get(table, []), found.tables.get(table, []), found.comments)
     return FileUpdate("\n".join(lines), sentences)
+
+
+def searched(text: str, settings: Mapping[str, object], found: Mapping[str, object]) -> str:
+    """Return a machine file, given as text and settings, with other guesses: those of a world that was found."""
+    lines = text.split("\n")
+    for table in MEASURED:
+        for channel in sorted({*_channels(settings, table), *_channels(found, table)}):
+            about, guesses = _about(settings, table, channel), _about(found, table, channel)
+            made = [_line({**each, "guess": True}, {}, about) for each in guesses]
+            if not about:
+                lines = _added(lines, table, made)
+            elif _is_guess(about):
+                lines = _replaced(lines, table, channel, made)
+    for table in TABLES:
+        mine = [each for each in entries(settings, table) if "guess" in each]
+        before = [{key: value for key, value in each.items() if key != "guess"} for each in mine]
+        if table not in MEASURED:
+            lines = _fitted(lines, before, entries(found, table), {})
+    return "\n".join(lines)
+
+
+def true_settings(settings: Mapping[str, object]) -> dict[str, object]:
+    """Return settings without the guesses of init: what is left a person has said."""
+    found: dict[str, object] = {}
+    for key, value in settings.items():
+        if key in TABLES:
+            found[key] = [each for each in entries(settings, key) if "guess" not in each]
+        elif not (key.startswith("run.") or key == "expect"):
+            found[key] = value
+    return {key: value for key, value in found.items() if value != []}
 
 
 def _known(
