@@ -6,23 +6,33 @@ of the run in the likeliest world. A wait has no time-out if nothing came by its
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from math import inf
 
-from motionlang.commands.map.names import ReaderNames
-from motionlang.exploration import Change, Exploration, is_wrong
+from motionlang.commands.map.names import ReaderNames, is_alarm
+from motionlang.commands.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
+from motionlang.exploration import (
+    Change,
+    Exploration,
+    RestState,
+    Transition,
+    entries,
+    is_wrong,
+    without_memory,
+)
 from motionlang.kernel import Run
-from motionlang.kernel.lang import Structure
+from motionlang.kernel.lang import WRITE, Statement, Structure
 from motionlang.kernel.tools import ranges
 
 # An output that is on for less than this in a motion only follows or precedes it, s.
 SHORT = 1e-3
-# So many alarms are shown, and so many causes of one and of its reset.
-MAX_ALARMS, MAX_CAUSES = 8, 2
-
-Changes = tuple[Change, ...]
+_TEXT = re.compile(r'"([^"]*)"')
+_AFTER = re.compile(r"[\d.]+ s ")
+_OFF = ("0", "_off", "_false")
+_NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 @dataclass(eq=False, slots=True)
@@ -36,9 +46,10 @@ class CautionRow:
 
 def cautions(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[CautionRow]:
     """Return the cautions of a machine."""
+    reasons = Reasons(structure, names, exploration.world.run.controller.inputs.active_low)
     rows = list(_start(exploration, names))
     rows += [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
-    rows += _alarms(exploration, names)
+    rows += _alarms(exploration, structure, names, reasons)
     rows += [
         CautionRow("on in motion", names[f"output {channel}"], f"is on in moves of {_lines(at)}")
         for channel, at in sorted(_on_in_motion(exploration.world.run, exploration.beside).items())
@@ -54,47 +65,96 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
 
 
-def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield the last changes before the first move of the cycle."""
-    causes: Collection[Change] = ()
-    for each in exploration.world.cycle.transitions * 2:
-        causes = each.causes or causes
-        if causes and each.does.moves:
-            what = " and ".join(map(names.of, causes))
-            yield CautionRow("starts", what, f"start{'s' if len(causes) == 1 else ''} the cycle")
-            return
-
-
-def _alarms(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield what says that something is wrong, with the fewest changes that bring it, and what goes on from there."""
+def _ways(exploration: Exploration, *begin: RestState | None) -> dict[RestState | None, list[Transition]]:
+    """Return the states that follow some states, each with the shortest way there, by the fewest changes first."""
     nodes = {node.state: node for node in exploration.nodes}
-    found: dict[str, tuple[list[float], list[Changes], list[Changes]]] = {}
-    for each in (each for node in exploration.nodes for each in node.transitions):
-        last = {act.subject: act.words for act in each.acts if act.subject in names.alarms}
-        signs = [names[subject] for subject, words in last.items() if words == "on"]
-        signs += (act.words for act in each.acts if not act.subject and is_wrong(act.words))
-        if signs:
-            after, causes, resets = found.setdefault(" and ".join(dict.fromkeys(signs)), ([], [], []))
-            after += [each.seconds] * each.is_by_itself
-            causes += [each.causes] * (not each.is_by_itself)
-            ways = (
-                nodes[each.target].transitions if each.target in nodes and each.target != each.source else ()
-            )
-            resets += (way.causes for way in ways if not way.is_by_itself)
-    for what, (after, causes, resets) in list(found.items())[:MAX_ALARMS]:
-        times = [f"after {min(after):.3g} s"] if after else []
-        by = " or ".join([*times, *(f"by {each}" for each in _fewest(causes, names))])
-        back = " or ".join(_fewest(resets, names))
-        yield CautionRow("alarm", what, f"comes {by}{f', and ends by {back}' if back else ''}")
+    found, queue = {state: list[Transition]() for state in begin}, list(begin)
+    for state in queue:
+        for each in sorted(
+            nodes[state].transitions if state in nodes else (), key=lambda way: len(way.causes)
+        ):
+            if each.target is not None and each.target not in found:
+                found[each.target] = [*found[state], each]
+                queue.append(each.target)
+    return found
 
 
-def _fewest(changes: Iterable[Changes], names: ReaderNames) -> list[str]:
-    """Return some changes in words, but for those with others of them and more."""
-    found: list[Changes] = []
-    for each in sorted(changes, key=len):
-        if not any(set(other) <= set(each) for other in found):
-            found.append(each)
-    return [" and ".join(map(names.of, each)) for each in found[:MAX_CAUSES]]
+def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
+    """Yield the changes from the state to which the machine returns to the first move of its cycle."""
+    cycle, ways = exploration.world.cycle, _ways(exploration, None)
+    back = {without_memory(state) for state in _ways(exploration, *cycle.states)}
+    firsts = (
+        each
+        for node in sorted(
+            (node for node in exploration.nodes if node.state in ways), key=lambda node: len(ways[node.state])
+        )
+        for each in sorted(node.transitions, key=lambda way: len(way.causes))
+        if each.work & (cycle.work or each.work)
+    )
+    first = next(firsts, None)
+    if first is None:
+        return
+    path = [*ways[first.source], first]
+    begin = next((k for k, each in enumerate(path) if without_memory(each.source) in back), 0)
+    steps = [" and ".join(map(names.of, each.causes)) for each in path[begin:] if each.causes]
+    what = ", then ".join(steps) or "power-up"
+    given = entries(exploration.world.settings, "input")
+    always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
+    held = [int(one.number) for each in path for one in each.causes if one.subject in always]
+    why = f"; input{'s' if len(set(held)) > 1 else ''} {ranges(set(held))} all the time" if held else ""
+    yield CautionRow(
+        "starts", what, f"start{'s' if ' and ' not in what and len(steps) < 2 else ''} the cycle{why}"
+    )
+
+
+def _alarms(
+    exploration: Exploration, structure: Structure, names: ReaderNames, reasons: Reasons
+) -> Iterator[CautionRow]:
+    """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
+    found: dict[tuple[bool, object], tuple[dict[str, None], list[str], list[Statement]]] = {}
+    for each in (each for at, each in sorted(structure.statements.items()) if reasons.knows(at)):
+        causes = reasons.of(each.at)
+        written = [use for use in each.channels if use.access == WRITE]
+        lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
+        is_on = any(use.value.lower() not in _OFF for use in written)
+        is_question = any(use.channel == "answer" for use in each.channels)
+        texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
+        shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
+        values = next((known for one in shown if len(known := reasons.values(one)) > 1), {})
+        is_number = bool(values) and any(map(is_alarm, shown))
+        is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
+        is_left = is_told and each.at not in exploration.world.cycle.begun
+        is_trouble = is_number or bool(lamps) or is_wrong(" ".join(texts))
+        if texts and (is_trouble or is_left):
+            what = [repr(" ... ".join(texts) + " ..." * bool(values))]
+        else:
+            hosts = [names[f"{use.channel} {use.number}"] for use in written if is_number]
+            what = lamps if lamps and is_on else hosts
+        if what:
+            by = [one for known in values.values() for one in known] or causes
+            key = frozenset(one.text for one in by) or tuple(what)
+            row = found.setdefault((not is_trouble, key), ({}, [], []))
+            row[0].update(dict.fromkeys(what))
+            why = "; ".join(f"{value}: {_by(known)}" for value, known in values.items())
+            row[1].append(f"with {why}" if values else _by(causes))
+            row[2].append(each)
+    for _, (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
+        ends = next(filter(None, (reasons.ends(each.at) for each in signs)), [])
+        played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
+        back = f"; ends by {', then '.join(each.text for each in ends)}" if ends else ""
+        why = max(whys, key=lambda text: text.startswith("with "))
+        yield CautionRow("alarm", " and ".join(told), f"come{'s' * (len(told) < 2)} {why}{played}{back}")
+
+
+def _by(reasons: Sequence[Reason]) -> str:
+    """Return some reasons in words, those with the same words once with all their lines."""
+    lines: dict[str, set[int]] = defaultdict(set)
+    for each in reasons:
+        lines[each.words].add(each.line)
+    texts = [f"{words}, {_lines(at)}" if any(at) else words for words, at in lines.items()]
+    text = " or ".join(texts[:MAX_REASONS] + ["others"] * (len(texts) > MAX_REASONS))
+    after = "" if _AFTER.match(text) else "after " if text[:1].isdigit() else "by "
+    return f"{after}{text}" if text else "without a condition"
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:
@@ -106,13 +166,15 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
     channels: dict[str, list[Change]] = defaultdict(list)
     for one in sorted(cut_off, key=lambda each: (each.table, each.number, each.value)):
         channels[one.subject].append(one)
+    found: dict[str, list[str]] = defaultdict(list)
     for subject, (first, *others) in channels.items():
         cuts = [f"cuts off moves of {_lines(cut_off[first])}"]
         cuts += [
             f"{names.of(one).removeprefix(names[subject]).strip()} those of {_lines(cut_off[one])}"
             for one in others
         ]
-        yield names.of(first), f"{', '.join(cuts)}{f' by {units[subject]}' if subject in units else ''}"
+        found[", ".join(cuts) + (f" by {units[subject]}" if subject in units else "")].append(names.of(first))
+    yield from ((" or ".join(changes), cuts) for cuts, changes in found.items())
 
 
 def _on_in_motion(run: Run, beside: Iterable[int]) -> dict[int, set[int]]:

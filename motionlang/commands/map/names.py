@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterable
 
 from motionlang.commands.map.axes import AxisMap
 from motionlang.commands.map.channels import Channel
 from motionlang.exploration import Act, Change, alarms_in
 from motionlang.kernel.lang import Named
+
+# Where a word begins within a name of the program.
+_WORD = re.compile(r"(?<=[a-z])(?=[A-Z])")
 
 
 class ReaderNames:
@@ -16,9 +20,8 @@ class ReaderNames:
     def __init__(self, channels: Collection[Channel], axes: Iterable[AxisMap]) -> None:
         self._known = {each.title: each.known_as for each in channels}
         self._known |= {f"axis {each.axis}": each.title for each in axes}
-        outputs = [each for each in channels if each.kind == "output" and each.number.isdecimal()]
-        alarms = alarms_in(Named("output", int(each.number), each.name, 0) for each in outputs)
-        self.alarms = {f"output {each}" for each in alarms}
+        outputs = [each for each in channels if each.kind == "output"]
+        self.alarms = {each.title for each in outputs if is_alarm(each.name)}
 
     def __contains__(self, subject: str) -> bool:
         return subject in self._known
@@ -30,3 +33,8 @@ class ReaderNames:
         """Return an act or a change with the name of its axis or channel."""
         text = str(one)
         return f"{self[one.subject]}{text[len(one.subject) :]}" if text.startswith(one.subject) else text
+
+
+def is_alarm(name: str) -> bool:
+    """True if a name, such as "opRed", is that of something that is on when something is wrong."""
+    return bool(alarms_in([Named("output", 0, _WORD.sub(" ", name), 0)]))

@@ -19,8 +19,8 @@ from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end.
 MAX_ACTS, FIRST_ACTS, LAST_ACTS = 10, 5, 3
-# So many lines of the cycle, of what to know, and of what never ran are on the first screen, which has 40 lines.
-MAX_CYCLE_ROWS, MAX_CAUTIONS, MAX_NEVER = 10, 7, 3
+# So many lines of the cycle, of what to know, of one caution, and of what never ran are on the first screen.
+MAX_CYCLE_ROWS, MAX_CAUTIONS, MAX_CAUTION, MAX_NEVER = 5, 9, 3, 1
 
 
 def headline(made: ProgramMap) -> str:
@@ -93,7 +93,7 @@ def _screen(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: b
     yield from ("", styled("Cycle", "bold", colour), *_wrapped(cycle_line(behaviour), "", width))
     table = tables.cycle(behaviour)
     yield from ["", *_first(table.lines(width, colour=colour), MAX_CYCLE_ROWS + 3)] if table.rows else []
-    yield from _first(list(_cautions(behaviour, width, colour)), MAX_CAUTIONS + 2)
+    yield from _first(list(_cautions(behaviour, width, colour, MAX_CAUTION)), MAX_CAUTIONS + 2)
     never = tables.unreached(made)
     yield from ["", *_first(never.lines(width, colour=colour), MAX_NEVER + 3)]
     yield ""
@@ -125,12 +125,17 @@ def _cycle(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: bo
     return found
 
 
-def _cautions(behaviour: MachineBehaviour, width: int, colour: bool) -> Iterator[str]:
-    """Yield what to know before the program is changed."""
+def _cautions(
+    behaviour: MachineBehaviour, width: int, colour: bool, most: int | None = None
+) -> Iterator[str]:
+    """Yield what to know before the program is changed, so many lines of each."""
     if behaviour.cautions:
         yield from ("", styled("Before you change anything", "bold", colour))
     for each in behaviour.cautions:
-        yield from _wrapped(f"{each.what} {each.why}", "  ", width)
+        lines = _wrapped(f"{each.what} {each.why}", "  ", width - 2)
+        yield from (
+            lines if most is None or len(lines) <= most else [*lines[: most - 1], f"{lines[most - 1]} …"]
+        )
 
 
 def _state(state: StateRow, width: int, colour: bool) -> list[str]:

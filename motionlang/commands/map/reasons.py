@@ -1,0 +1,403 @@
+"""Why a program comes to a statement, in words, from its text.
+
+Each point of the graph has guards: the sides of branches that decide whether the program comes there. They are carried
+forward once, in the order of the flow; where both sides of a branch meet, what guards the branch guards. A call guards
+what it calls, a handler what it does. A side is put into words from the form of its statement: channels by their names,
+a variable by the reasons of what assigns to it, a count and a clock by their numbers. Anything else is quoted.
+"""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Sequence
+from typing import NamedTuple
+
+from motionlang.commands.map.names import ReaderNames
+from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
+from motionlang.kernel.tools import ranges
+
+# Of each comparison its words, its opposite, that of the sides exchanged, and what it means.
+_COMPARISONS = {
+    "=": ("=", "<>", "=", operator.eq), "<>": ("is not", "=", "<>", operator.ne),
+    "<": ("below", ">=", ">", operator.lt), ">": ("above", "<=", "<", operator.gt),
+    "<=": ("at most", ">", ">=", operator.le), ">=": ("at least", "<", "<=", operator.ge),
+}  # fmt: skip
+# In the form of a statement: an assignment to a name, a number, a reading of a channel, and a time.
+_ASSIGNS, _NUMBER = re.compile(r"~(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
+_READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*)\))?")
+_CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
+_CALL, _PARAMETER = re.compile(r"Call !~(\w+)\((.*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
+_TOKEN = re.compile(r"[()]|[^\s()]+")
+# So many guards of a point, reasons of one thing, reasons behind one another, and assignments of a name are followed.
+MAX_GUARDS, MAX_REASONS, MAX_DEPTH, MAX_SITES = 12, 6, 12, 100
+# So many points behind a statement are searched, and a longer condition is quoted.
+MAX_POINTS, MAX_LENGTH = 60, 400
+
+# What a reason is: a quotation, a time or a count, something behind a variable, a channel or a handler.
+QUOTED, COUNTED, THROUGH, DIRECT = range(4)
+# A branch and its side, or ~ the entry of what begins by itself.
+Guard = tuple[int, bool]
+
+
+class Reason(NamedTuple):
+    """A reason in words, the line of its condition, 0 if the words have it, and what it is."""
+
+    words: str
+    line: int = 0
+    rank: int = QUOTED
+
+    @property
+    def text(self) -> str:
+        return f"{self.words}, line {self.line}" if self.line else self.words
+
+
+class Reasons:
+    """The reasons why a program comes to its statements; inputs of `low` are on at a low level."""
+
+    def __init__(self, structure: Structure, names: ReaderNames, low: Collection[int]) -> None:
+        self._structure, self._names, self._low = structure, names, low
+        self._roots = {
+            ~unit.entry: unit for unit in structure.units if unit.kind in ("program", "task", "event")
+        }
+        self._loops = {structure.points[p].at for p in structure.graph.closing}
+        self._guards: dict[int, tuple[Guard, ...]] = {}
+        # The wait or loop before each point, if there is one way from it.
+        self._waits: dict[int, int] = {}
+        self._find_guards(self._ordered())
+        # The first point of each statement, and what is assigned to each name at which point.
+        self._first: dict[int, int] = {}
+        self._sites: dict[str, list[tuple[int, str]]] = defaultdict(list)
+        parameters = {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
+        for p in sorted(self._guards):
+            statement = self._statement(p)
+            if statement is not None and self._first.setdefault(statement.at, p) == p:
+                assigns, call = _ASSIGNS.fullmatch(statement.form), _CALL.fullmatch(statement.form)
+                given = zip(parameters.get(call[1], ()), call[2].split(", "), strict=False) if call else ()
+                for name, value in [assigns.groups()] if assigns is not None else given:
+                    self._sites[name].append((p, value))
+        forms = "\n".join(each.form for each in structure.statements.values())
+        self._clocks = set(re.findall(r"~(\w+) TypeName ~time", forms))
+        self._known: dict[int, list[Reason]] = {}
+        self._depth = 0
+
+    def _ordered(self) -> list[int]:
+        """Return the points that the program reaches, each before those that follow it but for loops."""
+        points, finished, seen = self._structure.points, list[int](), set[int]()
+        for unit in reversed(self._roots.values()):
+            stack = [(unit.entry, False)]
+            while stack:
+                p, is_done = stack.pop()
+                if is_done:
+                    finished.append(p)
+                elif p not in seen and p >= 0:
+                    seen.add(p)
+                    stack.append((p, True))
+                    stack += ((after, False) for after in (*points[p].next, points[p].calls))
+        return finished[::-1]
+
+    def _find_guards(self, order: Sequence[int]) -> None:
+        came: dict[int, dict[Guard, None]] = defaultdict(dict)
+        ways: dict[int, list[int]] = defaultdict(list)
+        place = {p: k for k, p in enumerate(order)}
+        for p in order:
+            self._guards[p] = ((~p, True),) if ~p in self._roots else self._joined(came[p])
+            point, statement = self._structure.points[p], self._statement(p)
+            if statement is not None and statement.condition and (statement.waits or point.at in self._loops):
+                self._waits[p] = p
+            elif len(ways[p]) == 1 and ways[p][0] in self._waits:
+                self._waits[p] = self._waits[ways[p][0]]
+            for k, after in enumerate(point.next):
+                if place[after] > place[p]:
+                    came[after] |= dict.fromkeys([(p, k == 0)] if point.branches else self._guards[p])
+                    ways[after].append(p)
+            if place.get(point.calls, -1) > place[p]:
+                came[point.calls] |= dict.fromkeys(self._guards[p])
+
+    def _joined(self, came: dict[Guard, None]) -> tuple[Guard, ...]:
+        """Return guards without the branches of which each side comes here; behind others, a loop decides nothing."""
+        found, seen, stack = dict[Guard, None](), set[Guard](), list(came)
+        while stack:
+            q, side = stack.pop(0)
+            if (q, side) in seen:
+                continue
+            seen.add((q, side))
+            if (q, not side) in found:
+                del found[q, not side]
+                stack += self._guards[q]
+            elif (found or stack) and self._is_loop(q):
+                stack += self._guards[q]
+            elif len(found) < MAX_GUARDS:
+                found[q, side] = None
+        return tuple(found)
+
+    def _statement(self, p: int) -> Statement | None:
+        return self._structure.statements.get(self._structure.points[p].at) if p >= 0 else None
+
+    def _is_loop(self, p: int) -> bool:
+        return p >= 0 and self._structure.points[p].at in self._loops
+
+    # ------------------------------------------------------------------------------------------------ statements
+
+    def knows(self, at: int) -> bool:
+        """True if the program can come to the statement at an offset."""
+        return at in self._first
+
+    def of(self, at: int) -> list[Reason]:
+        """Return why the program comes to a statement; none if it always does."""
+        return self._of(self._first[at])
+
+    def values(self, name: str) -> dict[str, list[Reason]]:
+        """Return the numbers but 0 that the program gives a variable, with the reasons of each."""
+        found: dict[str, list[Reason]] = defaultdict(list)
+        for p, value in self._assignments(name.lower()):
+            if value.isdecimal() and value != "0":
+                found[value] += self._of(p)
+        return dict(sorted(found.items()))
+
+    def ends(self, at: int) -> list[Reason]:
+        """Return what the program waits for behind a statement until it moves an axis, or what else ends its step."""
+        found, stack = list[Reason](), [self._first[at]]
+        guards = self._guards[self._first[at]]
+        guard = self._statement(guards[0][0]) if guards else None
+        for _ in range(MAX_POINTS):
+            p = stack.pop() if stack else -1
+            statement = self._statement(p)
+            if p < 0 or (statement is not None and statement.moves):
+                break
+            point, following = self._structure.points[p], self._structure.points[p].next[-1:]
+            if statement is not None and statement.condition and p == self._waits.get(p):
+                made = self._test(p, not self._is_loop(p))
+                found += [each for each in made if each.rank == DIRECT and each not in found]
+            elif (
+                statement is not None and point.branches
+            ):  # another value of what guards the statement is known
+                is_same = guard is not None and _NUMBER.sub("", statement.form) == _NUMBER.sub("", guard.form)
+                following = point.next[statement.form != guard.form :][:1] if guard and is_same else ()
+            stack += following if point.calls < 0 else (*following, point.calls)
+        tested = self._tested(guards)
+        for p, value in self._sites.get(tested[0], [])[:MAX_SITES] if not found else ():
+            outer = self._guards[p][0][0] if len(self._guards[p]) == 1 else -1
+            if value != tested[1] and outer >= 0 and self._tested(self._guards[outer]) == tested:
+                found += [each for each in self._of(p) if each.rank == DIRECT]
+        return found
+
+    # --------------------------------------------------------------------------------------------------- reasons
+
+    def _of(self, p: int) -> list[Reason]:
+        if p in self._known or self._depth > MAX_DEPTH:
+            return self._known.get(p, [])
+        self._known[p] = []  # what leads to itself is no reason
+        self._depth += 1
+        made = [each for guard in self._guards[p] for each in self._within(*guard)]
+        self._depth -= 1
+        self._known[p] = list(dict.fromkeys(made))
+        return self._known[p]
+
+    def _within(self, q: int, side: bool) -> list[Reason]:
+        """Return why a side is taken: a quotation or a time with the channel around it, or only what is around it."""
+        made = self._test(q, side)
+        if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
+            return made
+        is_weak = not side and not any(each.rank for each in made)
+        around = [each for each in self._of(q) if each.rank >= (COUNTED if is_weak else DIRECT)]
+        if is_weak or not around or any(self._is_loop(outer) for outer, _ in self._guards[q]):
+            return around if is_weak and around else made
+        outer = " or ".join(each.text for each in around[:MAX_REASONS])
+        return [each._replace(words=f"{outer} and {each.words}", rank=DIRECT) for each in made]
+
+    def _test(self, q: int, side: bool) -> list[Reason]:
+        """Return the reasons, each by itself enough, why a branch goes to one side or a handler is called."""
+        statement, unit = self._statement(q), self._roots.get(q)
+        if unit is not None and unit.kind == "event":
+            by = [self._names[f"{each.channel} {each.number}".strip()] for each in unit.triggers]
+            words = f"{' or '.join(by) or 'a fault'} ({unit.title})"
+            return [Reason(unit.title if unit.is_timed and not by else words, unit.line, DIRECT)]
+        if statement is None or not statement.condition:
+            return []
+        if statement.condition.startswith("channel "):
+            is_on = statement.condition.endswith("on") == side
+            return [
+                Reason(
+                    self._channel(statement.channels[0], "<>" if is_on else "=", "0"), statement.line, DIRECT
+                )
+            ]
+        form = _condition(statement)
+        made = self._tree(form, side, q, statement) if len(form) < MAX_LENGTH else []
+        if len(made) == 1 and made[0].rank == DIRECT:
+            return [made[0]._replace(words=made[0].words + self._time_before(q, statement))]
+        return made or [_quoted(statement, side)]
+
+    def _time_before(self, q: int, statement: Statement) -> str:
+        """Return the time in the wait before a test of the same channels, "" if there is none."""
+        p = self._waits.get(q, q)
+        wait = self._statement(p)
+        if wait is None or not {each.number for each in statement.channels} & {
+            each.number for each in wait.channels
+        }:
+            return ""
+        made = self._tree(_condition(wait), bool(wait.waits), p, wait) if p != q else []
+        return next((f" {each.words}" for each in made if " s after " in each.words), "")
+
+    def _tree(self, form: str, side: bool, q: int, statement: Statement) -> list[Reason]:
+        """Return the reasons by which an expression is true, or false, none if they are unknown."""
+        if form.startswith("Unary Not "):
+            return self._tree(form[10:], not side, q, statement)
+        left, sign, right = _binary(form)
+        if sign in ("And", "Or"):
+            parts = [self._tree(each, side, q, statement) for each in (left, right)]
+            if (sign == "Or") == side:
+                return [one for each in parts for one in each or [_quoted(statement, side)]]
+            best = max((one.rank for each in parts for one in each), default=QUOTED)
+            kept = [each for each in parts if {one.rank for one in each} in ({COUNTED}, {best})]
+            words = " and ".join(dict.fromkeys(" or ".join(one.words for one in each) for each in kept))
+            return [Reason(words, max(one.line for one in kept[0]), best)] if kept else []
+        if sign == "<>" and "~" in form:
+            return []
+        left, sign, right = (self._constant(left), sign, self._constant(right)) if sign else (form, "<>", "0")
+        if _is_number(left):
+            left, sign, right = right, _COMPARISONS[sign][2], left
+        sign = sign if side else _COMPARISONS[sign][1]
+        use, clock = self._use(left, statement), _CLOCK.fullmatch(left)
+        if use is not None:
+            return [Reason(self._channel(use, sign, right), statement.line, DIRECT)]
+        if clock is not None and (clock[2] is None or clock[2] in self._clocks) and _is_number(right):
+            kind = "" if sign[0] == ">" else "within "
+            return [
+                Reason(
+                    f"{kind}{float(right) / 1000:g} s after {self._since(clock[1] or left[1:], q)}",
+                    0,
+                    COUNTED,
+                )
+            ]
+        is_name = left.startswith("~") and (side or sign != "=")
+        return list(dict.fromkeys(self._assigned(left[1:], sign, right, q, statement))) if is_name else []
+
+    def _assigned(self, name: str, sign: str, right: str, q: int, statement: Statement) -> Iterator[Reason]:
+        """Yield why a variable compares so: why it is assigned, what is counted, or what is read."""
+        sites = self._assignments(name)
+        counts = [each for each in sites if each[1] in (f"(1 + ~{name})", f"(~{name} - 1)")]
+        if any(f"~{name}" in value for _, value in sites if (_, value) not in counts):
+            return
+        uses = [
+            self._use(value, self._structure.statements[self._structure.points[p].at]) for p, value in sites
+        ]
+        for use in [each for each in uses if each is not None][:1]:
+            yield Reason(self._channel(use, sign, right), statement.line, DIRECT)
+            return
+        numbers = [(p, value) for p, value in sites if _is_number(value)]
+        for p, value in numbers if _is_number(right) else ():
+            if _COMPARISONS[sign][3](float(value), float(right)):
+                yield from (each._replace(rank=min(each.rank, THROUGH)) for each in self._of(p))
+        for p, value in [each for each in counts if each[0] < q][-1:] or counts[:1]:
+            if sign[0] in ("<=" if "-" in value else ">="):
+                begin = float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
+                times = (
+                    f"{abs(float(right) - begin) + (sign in '<>'):g}"
+                    if _is_number(right)
+                    else right.strip("~")
+                )
+                by = self._of(p)
+                line = self._structure.line(self._structure.points[p].at)
+                why = by[0].text if len(by) == 1 and by[0].rank else f"line {line}"
+                yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
+
+    def _assignments(self, name: str) -> list[tuple[int, str]]:
+        """Return where which value is assigned to a name; for a parameter, where it is given."""
+        found = list[tuple[int, str]]()
+        for p, value in self._sites.get(name, [])[:MAX_SITES]:
+            found += self._sites.get(value[1:], [])[:MAX_SITES] if value.startswith("~") else [(p, value)]
+        return found
+
+    def _constant(self, form: str) -> str:
+        """Return the only number that is assigned to a name, or the form itself."""
+        sites = self._sites.get(form[1:], []) if form.startswith("~") and form[1:] not in self._clocks else []
+        return sites[0][1] if len(sites) == 1 and _is_number(sites[0][1]) else form
+
+    def _since(self, name: str, q: int) -> str:
+        """Return the lines from which a clock counts: in the block of a branch, before the step around it, or all."""
+        sites = [p for p, _ in self._sites.get(name, [])[:MAX_SITES]]
+        found, p = list[int](), q
+        while not found and p >= 0:
+            step, value = self._tested(self._guards[p])
+            steps = [
+                self._guards[other]
+                for other, given in self._sites.get(step, [])[:MAX_SITES]
+                if given == value
+            ]
+            found = [each for each in sites if self._guards[each] == self._guards[p] and each < p][-1:]
+            found = found or [each for each in sites if self._guards[each] in steps]
+            p = self._guards[p][0][0] if len(self._guards[p]) == 1 and not step else -1
+        lines = {self._structure.line(self._structure.points[each].at) for each in found or sites}
+        return f"line{'s' * (len(lines) > 1)} {ranges(lines)}" if lines else "power-up"
+
+    def _tested(self, guards: Sequence[Guard]) -> tuple[str, str]:
+        """Return the name and the number that a single guard tests, such as a step, "" for anything else."""
+        statement = self._statement(guards[0][0]) if len(guards) == 1 and guards[0][1] else None
+        left, sign, right = _binary(_condition(statement)) if statement is not None else ("", "", "")
+        left, right = (right, left) if _is_number(left) else (left, right)
+        return (left[1:], right) if sign == "=" and left.startswith("~") else ("", "")
+
+    # -------------------------------------------------------------------------------------------------- channels
+
+    def _use(self, form: str, statement: Statement) -> ChannelUse | None:
+        """Return the reading of a channel that a form stands for, None if it is anything else."""
+        reading = _READING.fullmatch(form)
+        if reading is None:
+            return None
+        reads = [each for each in statement.channels if each.access == READ]
+        uses = [each for each in reads if reading[2] is None or each.number == reading[2]]
+        text = self._structure.source.text
+        return next(
+            (
+                each
+                for each in uses
+                if text[each.name_at : each.name_at + len(reading[1])].upper() == reading[1]
+            ),
+            None,
+        ) or next(iter(uses), None)
+
+    def _channel(self, use: ChannelUse, sign: str, right: str) -> str:
+        """Return a comparison of a channel in words."""
+        number = float(right) if _is_number(right) else -1.0
+        subject, shown = f"{use.channel} {use.number}".strip(), right.replace("~", "")
+        if use.channel in ("input", "digital"):
+            subject = next(
+                (each for each in (subject, f"output {use.number}") if each in self._names), subject
+            )
+            is_on = (sign == "<>") == (number == 0) or sign[0] == ">"
+            is_low = use.number.isdecimal() and int(use.number) in self._low
+            return f"{self._names[subject]} {'on' if is_on != is_low else 'off'}"
+        if use.channel == "key":
+            shown = repr(chr(int(number))) if 32 < number < 127 else shown
+            return f"key {shown}" if sign == "=" else f"key {_COMPARISONS[sign][0]} {shown}"
+        return f"{self._names[subject]} {_COMPARISONS[sign][0]} {shown}"
+
+
+def _condition(statement: Statement) -> str:
+    """Return the condition of a statement as a form, "" if it has none."""
+    head, _, form = statement.form.partition(" ")
+    case = re.fullmatch(r"\(CaseTest None (\S+) (\S+)\)", form)
+    if case is not None:
+        return f"(~{statement.condition.split(' is ')[0].lower()} {case[1]} {case[2]})"
+    form = form if head == "Pause" else form[1:-1] if head in ("If", "While", "Until") else ""
+    return f"Unary Not {form}" if head == "Until" else form
+
+
+def _quoted(statement: Statement, side: bool) -> Reason:
+    return Reason(f"`{'' if side else 'not '}{statement.condition}`", statement.line)
+
+
+def _is_number(form: str) -> bool:
+    return _NUMBER.fullmatch(form) is not None
+
+
+def _binary(form: str) -> tuple[str, str, str]:
+    """Return the two sides of a form in brackets and what stands between them, "" if it is none."""
+    depth = 0
+    for token in _TOKEN.finditer(form if form[:1] == "(" else ""):
+        depth += (token[0] == "(") - (token[0] == ")")
+        if depth == 1 and token[0] in ("And", "Or", *_COMPARISONS):
+            return form[1 : token.start() - 1], token[0], form[token.end() + 1 : -1]
+    return "", "", ""

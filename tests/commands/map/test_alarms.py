@@ -1,0 +1,174 @@
+"""What says that something is wrong, why it comes and what ends it, from the text of a program."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.cli.programs import Cell
+
+# Steps in a variable, a count, times, two buttons that reset, and alarms that no trial reaches.
+STEPS = """\
+REM IN 1 cycle start  2 curtain clear  3 label on pad  5 reset right  6 reset left  7 air on
+REM OUT 1 vacuum  2 alarm horn
+s = 0 : tries = 0 : made = 0
+#MAIN
+IF INX.7 = 0 AND s < 90 THEN er = 7 : s = 90
+IF s = 0 THEN GOSUB READY
+IF s = 10 THEN GOSUB PICK
+IF s = 20 THEN GOSUB PLACE
+IF s = 90 THEN GOSUB ALARM
+WAIT = 5
+GOTO MAIN
+#READY
+IF INX.1 AND INX.2 THEN s = 10 : tt = TIME : OUTX.1 = 1
+RETURN
+#PICK
+IF INX.3 THEN s = 20 : tries = 0 : RETURN
+IF TIME - tt < 2000 THEN RETURN
+tries = tries + 1
+IF tries > 2 THEN er = 3 : s = 90 : RETURN
+tt = TIME
+RETURN
+#PLACE
+MOVEA.0 = 120 : GO.0 : PAUSE IDLE.0
+made = made + 1
+IF made > 4000 THEN ? "FILTER NOT CLEAN"
+PAUSE NOT INX.3
+MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+s = 0
+RETURN
+#ALARM
+OUTX.2 = 1
+IF er = 3 THEN ? "NO LABEL"
+IF er = 7 THEN ? "AIR"
+PAUSE INX.6
+PAUSE INX.5
+OUTX.2 = 0 : s = 0
+RETURN
+"""
+# Numbers of alarms that a sub, a handler and the program set, which the host reads and clears.
+NUMBERS = """\
+' IN 1 guard open  2 air on  3 tray
+' OUT 5 red lamp
+Dim nAlarm As Integer
+Dim t As Time
+Loop
+  COMMS(12) = nAlarm
+  If Not INX(2) Then Failed(2)
+  If nAlarm Then
+    OUTX(5) = 1
+    Print "alarm "; nAlarm
+    Pause COMMS(1) = 3 And INX(1) = 0
+    nAlarm = 0
+  ElseIf INX(3) Then
+    MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+    t = 0
+    Pause Not INX(3) Or t > 500
+    If INX(3) Then Failed(3)
+  End If
+  Wait(10)
+End Loop
+Sub Failed(ByVal n As Integer)
+  nAlarm = n
+End Sub
+Event IN1
+  STOP(0)
+  Failed(1)
+End Event
+"""
+MACROS = """\
+; INPUTS 1 gate shut, 3 vacuum ok, 5 reset
+; OUTPUTS 9 vacuum, 11 fault lamp
+MD10,IF1,MJ90,NO,AL0,AR31,CN9,MJ21
+MD21,IN3,MJ30,NO,WA.01,RA31,AA1,AR31,IG49,MJ80,NO,MJ21
+MD30,CF9,2MR10,2WS.1,MJ10
+MD80,CN11,OT"NO VACUUM",WN5,CF11,MJ10
+MD90,OT"GATE NOT SHUT",WN1,MJ10
+2MN
+MC10
+"""
+# Levels, a fault, and a loop of GOTOs that counts.
+LEVELS = """\
+REM IN 1 stop  4 cutter down
+fmin = 42 : fmax = 58
+#NEXT
+PAUSE INX.2
+MOVEA.0 = 40 : GO.0 : PAUSE IDLE.0
+peak = ADC.0
+IF peak < fmin OR peak > fmax THEN ? "force: reject"
+t = 0
+#CUT
+IF INX.4 THEN GOTO BACK
+WAIT = 10
+t = t + 1
+IF t < 80 THEN GOTO CUT
+? "CUTTER STUCK" : GOTO OUT
+#BACK
+MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+IF INX.1 THEN ? "stopped" : GOTO OUT
+GOTO NEXT
+#OUT
+END
+#ONERROR
+? "ERROR ", ERR
+RETURN
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "lines"),
+    [
+        (
+            "a.prg",
+            STEPS,
+            [
+                "'FILTER NOT CLEAN' comes after 4001 times input 3 (label on pad) on, line 16 (not "
+                "played); ends by input 3 (label on pad) off, line 26",
+                "output 2 (alarm horn) comes by input 7 (air on) off, line 5 or 3 times input 3 (label "
+                "on pad) off, line 16 and 2 s after line 13",
+                "'NO LABEL' comes after 3 times input 3 (label on pad) off, line 16 and 2 s after line "
+                "13; ends by input 6 (reset left) on, line 34, then input 5 (reset right) on, line 35",
+                "'AIR' comes by input 7 (air on) off, line 5; ends by input 6 (reset left) on, line "
+                "34, then input 5 (reset right) on, line 35",
+            ],
+        ),
+        (
+            "a.mnt",
+            NUMBERS,
+            [
+                "comms element 12 and output 5 (red lamp) and 'alarm ...' come with 1: by input 1 "
+                "(guard open) (event IN1), line 24; 2: by input 2 (air on) off, line 7; 3: by input 3 "
+                "(tray) on 0.5 s after line 15, line 17; ends by input 1 (guard open) off and comms "
+                "element 1 = 3, line 11",
+            ],
+        ),
+        (
+            "a.mccl",
+            MACROS,
+            [
+                "output 11 (fault lamp) and 'NO VACUUM' come by input 3 (vacuum ok) off, line 4 and "
+                "`accumulator > 49`, line 4; ends by input 5 (reset) on, line 6",
+                "'GATE NOT SHUT' comes by input 1 (gate shut) off, line 3; ends by input 1 (gate shut) "
+                "on, line 7",
+            ],
+        ),
+        (
+            "a.prg",
+            LEVELS,
+            [
+                "'force: reject' comes by analogue input 0 above 58, line 7 or analogue input 0 below "
+                "42, line 7",
+                "'CUTTER STUCK' comes after 80 times input 4 (cutter down) off, line 10",
+                "'stopped' comes by input 1 (stop) on, line 17",
+                "'ERROR' comes by a fault (event ONERROR), line 21 (not played)",
+            ],
+        ),
+    ],
+    ids=["steps", "numbers", "macros", "levels"],
+)
+def test_alarms_have_the_reasons_of_their_branches_and_all_steps_of_their_reset(
+    cell: Cell, name: str, text: str, lines: list[str]
+) -> None:
+    cell.write(name, text)
+    part = cell("map", name, "--all").out.split("Before you change anything\n")[1].split("\n\n")[0]
+    assert [each.strip() for each in part.replace("\n      ", " ").splitlines() if " come" in each] == lines
