@@ -140,6 +140,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     ]
     starts = [(_with_others(each, some, rule), found) for each, some in bases for rule in (ASKED, ON, PULSES)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
+    starts = [each for k, each in enumerate(starts) if each[0] not in [one for one, _ in starts[:k]]]
     tried = [(first, found)]
     tried += [(_tried(explorer, settings, least), world) for settings, world in starts if explorer.has_work]
     best, world = max(tried, key=lambda each: each[0].value)
