@@ -403,8 +403,8 @@ def _has_ended_before(result: Run, task: Task) -> bool:
     """True if a wait or a loop like the present one was over before; a loop without an end, if it did anything."""
     log = result.machine.log
     if task.wait is not None:
-        return any(each.at == task.at and each.task == task.name for each in log.waits)
-    ended = {each.at for each in log.loops if each.task == task.name}
+        return any(each.at == task.at and each.task == task.name for each in log.waits.written())
+    ended = {each.at for each in log.loops.written() if each.task == task.name}
     if any(at in ended for at, _, _ in task.loops):
         return True
     return (
@@ -415,9 +415,9 @@ def _has_ended_before(result: Run, task: Task) -> bool:
 def _was_fed(result: Run, task: Task, wait: Wait) -> bool:
     """True if entries of the machine file have changed what a task waits for, or what handlers answer."""
     machine = result.machine
-    is_called = any(each.kind == "handler" for each in machine.log.events)
+    is_called = any(each.kind == "handler" for each in machine.log.events.written())
     tables = result.dialect.driven_by(wait.why) or (DRIVES if is_called else ())
-    changed = {each.channel for each in machine.log.inputs}
+    changed = {each.channel for each in machine.log.inputs.written()}
     named = set(wait.what) if wait.cause == "input" else changed
     return ("input" in tables and bool(changed & named)) or any(map(machine.controller.stimuli.used, tables))
 

@@ -65,9 +65,9 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
         found.append(f"no good piece was found: the best cycle {what}")
         found += islice(_not_reached(structure, exploration), SHOWN)
         name = exploration.program.source.name
-        found.append(f"to find by hand what leads there: motionlang panel {name}")
         found.append(
-            f"or correct an entry, remove its guess = true, and let motionlang init {name} --update search the rest"
+            f"to find by hand what leads there: motionlang panel {name}; or correct an entry, remove its "
+            f"guess = true, and let motionlang init {name} --update search the rest"
         )
     if still:
         moved = {each.line for each in result.machine.log.moves}

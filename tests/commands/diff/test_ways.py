@@ -215,7 +215,7 @@ VERDICTS = [
      "line 6 of A changed, and nothing that was played depends on it"),
     (LOOP.format('  If INX(2) Then n = 0\n  If INX(3) Then n = n + 1\n  If n = 2 Then PRINT "TWO"'),
      "  If INX(2) Then n = 0\n  If INX(3) Then n = n + 1\n", "  If INX(3) Then n = n + 1\n  If INX(2) Then n = 0\n",
-     "line 5 of A, line 6 of B changed, and nothing that was played depends on it"),
+     "'TWO' comes 0.600 s later in B (line 7 of A)"),
 ]  # fmt: skip
 
 

@@ -265,7 +265,8 @@ PIECE = program(f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nENDL\n")
                 "input 0 leads on from lines 3, 7",
                 "cycle: 0.62007 s, 484 times (lines 4 to 6), cycle(5)",
                 "no good piece was found: the best cycle switches on output 2, an alarm by its name",
-                "to find by hand what leads there: motionlang panel old.prg",
+                "to find by hand what leads there: motionlang panel old.prg; or correct an entry, remove its "
+                "guess = true, and let motionlang init old.prg --update search the rest",
             ],
         ),
         (
@@ -277,7 +278,8 @@ PIECE = program(f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nENDL\n")
                 "outputs 1, 2 were never switched on",
                 "cycle: 0.62006 s, 483 times (line 4), cycle(4)",
                 "no good piece was found: the best cycle switches no output",
-                "to find by hand what leads there: motionlang panel old.prg",
+                "to find by hand what leads there: motionlang panel old.prg; or correct an entry, remove its "
+                "guess = true, and let motionlang init old.prg --update search the rest",
             ],
         ),
         (
@@ -568,7 +570,8 @@ def test_a_machine_that_only_rejects_is_no_success(cell: Cell) -> None:
     assert ran.err.endswith(
         "note: no good piece was found: the best cycle prints 'reject'\n"
         'note: not reached: line 5, Print "part" (line 5: if k = 3)\n'
-        "note: to find by hand what leads there: motionlang panel old.mnt\n"
+        "note: to find by hand what leads there: motionlang panel old.mnt; or correct an entry, remove its "
+        "guess = true, and let motionlang init old.mnt --update search the rest\n"
     )
     assert cell("verify", "old.mnt").status == 0
 
