@@ -19,7 +19,7 @@ from operator import attrgetter
 
 from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
-from motionlang.exploration.cycles import alarms_in
+from motionlang.exploration.cycles import alarms_in, is_wrong
 from motionlang.exploration.recorder import HANDLERS, Seen
 from motionlang.exploration.rests import BODY, QUIET, SHORTEST_REST, Rest, RestState, rests, without_memory
 from motionlang.exploration.roles import (
@@ -237,6 +237,12 @@ class Explorer:
             further.append(questions.pulses(self, node, visit, causes[0], trial))
         if news or is_news or len(self.nodes) > states:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
+        if is_news and any(map(is_wrong, (each.text for each in trial.part(trial.since, inf).prints))):
+            # What says trouble may lack an input, such as a guard, that alone leads nowhere from here.
+            leads = {each.causes[0].channel for each in node.transitions if len(each.causes) == 1}
+            inputs = [each for each in node.channels if each[0] == "input" and each not in leads]
+            if len(inputs) <= questions.MAX_READ:
+                further.append(questions.with_more(self, node, visit, causes, inputs))
         # What is read for the first time here, or by a condition with one of the changed channels.
         changed = {each.channel for each in causes}
         reads = [(read, list(read)[before.get(at, 0) :]) for at, read in node.reads.items()]
