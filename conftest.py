@@ -21,6 +21,7 @@ from motionlang.kernel.lang.syntax.grammar import GRAMMARS
 from motionlang.kernel.tables import write
 from tests import cases
 from tests.built import distributions
+from tests.extras import ABSENT
 from tests.trees import nodes_of
 
 TYPE_CHECKING = False
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from motionlang.kernel import Outside, Program, Run
 
 TESTS = Path(__file__).parent / "tests"
+# The tests of a distribution that is not installed are run only if they are named.
+collect_ignore = [f"extras/{name}" for name in ABSENT]
 
 # The tests share the processors already: threads of NumPy's BLAS would only wait for each other, in this process
 # and in those that it starts.

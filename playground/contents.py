@@ -20,8 +20,13 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
-# The parts of the tree that a wheel is built from.
-SOURCES = ("motionlang", "grammars", "pyproject.toml", "README.md", "LICENSE")
+# The language server.
+SERVER = ROOT / "extras" / "lsp"
+# The parts of a tree that its wheel is built from.
+SOURCES = {
+    ROOT: ("motionlang", "grammars", "pyproject.toml", "README.md", "LICENSE"),
+    SERVER: ("motionlang_lsp", "pyproject.toml", "README.md", "LICENSE"),
+}
 # The program that the page opens with, and shows the results of before Python is there.
 FIRST = "ballscrew.mnt"
 # The libraries of the language server and of a run, with their versions and hashes.
@@ -32,15 +37,15 @@ PYTHON = "3.14"
 BUILD = "import sys; from setuptools import build_meta; build_meta.build_wheel(sys.argv[1])"
 
 
-def build_wheel(folder: Path) -> Path:
-    """Build the wheel of the tree in `folder`."""
+def build_wheel(folder: Path, root: Path = ROOT) -> Path:
+    """Build the wheel of a tree in `folder`."""
     with tempfile.TemporaryDirectory() as scratch:
         copy = Path(scratch)
-        for name in SOURCES:
-            if (ROOT / name).is_dir():
-                shutil.copytree(ROOT / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+        for name in SOURCES[root]:
+            if (root / name).is_dir():
+                shutil.copytree(root / name, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
             else:
-                shutil.copy(ROOT / name, copy / name)
+                shutil.copy(root / name, copy / name)
         command = [sys.executable, "-c", BUILD, str(folder.resolve())]
         subprocess.run(command, cwd=copy, check=True, stdout=subprocess.DEVNULL)
     return next(folder.glob("*.whl"))
@@ -140,7 +145,8 @@ def main(folder: Path) -> None:
         tables = write_tables(Path(scratch, "tables"), libraries)
         package = pack([wheel, *libraries], folder / "motionlang.zip.gz", tables)
     with tempfile.TemporaryDirectory() as scratch:
-        server = pack(fetch_libraries(Path(scratch), LIBRARIES), folder / "language-server.zip.gz")
+        libraries = fetch_libraries(Path(scratch, "libraries"), LIBRARIES)
+        server = pack([build_wheel(Path(scratch), SERVER), *libraries], folder / "language-server.zip.gz")
     from motionlang import __version__
 
     contents = {

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from pygls.exceptions import JsonRpcException
 
-from motionlang.ide.lsp.server import EditorServer, prepare
-from motionlang.ide.lsp.workers import Inline
+from motionlang_lsp.server import EditorServer, prepare
+from motionlang_lsp.workers import Inline
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -32,8 +32,6 @@ HOMES: dict[str, tuple[str, ...]] = {
     "polars": ("kernel/rows.py",),
     "pandas": ("kernel/rows.py",),
     "pygments": ("views",),
-    "pygls": ("ide/lsp",),
-    "lsprotocol": ("ide/lsp",),
     "serial": ("hosts",),
     "shtab": ("cli",),
 }

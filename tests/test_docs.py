@@ -4,7 +4,7 @@
 exact output; `…` alone on a line stands for omitted lines. `$ cat FILE` shows a file, and creates one that does not
 exist. `< FILE` is standard input. `--update` writes what differs. ` ```mint ` and ` ```mccl ` blocks are programs
 that run without a diagnostic, ` ```toml ` blocks are machine files, ` ```python ` blocks are executed.
-` ```editor ` blocks show a program in an editor, which `tests/ide/lsp/test_documented_session.py` compares. Blocks of
+` ```editor ` blocks show a program in an editor, which `test_documented_session.py` of `extras/lsp` compares. Blocks of
 other kinds, such as `sh` for set-up, are not run.
 """
 

@@ -26,9 +26,6 @@ ELSEWHERE = {
     "cli/standard_streams.py",
     "repl/history.py",
     "_wheel.py",
-    # Streams of processes.
-    "ide/lsp/server.py",
-    "ide/lsp/workers.py",
 }
 # The flags of read-only access.
 READ_FLAGS = {"O_RDONLY", "O_BINARY"}

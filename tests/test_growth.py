@@ -11,7 +11,6 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from lsprotocol import types
 
 from motionlang.cli import main
 from motionlang.commands.map.behaviour import behaviour_of
@@ -19,8 +18,8 @@ from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.view.text import render
 from motionlang.exploration import explore
-from motionlang.ide.lsp.documents import OpenDocument
-from motionlang.ide.lsp.jobs import CHECK, Job, work
+from motionlang.ide.editor.diagnostics import findings
+from motionlang.ide.editor.page import Page
 from motionlang.kernel import Source, dialect_of
 from tests.counted_calls import all_calls
 
@@ -107,11 +106,10 @@ def _work(command: str, name: str, text: str) -> Callable[[], object]:
 
 
 def _edit(name: str, text: str) -> None:
-    """Do what a language server does after a keystroke."""
-    document = OpenDocument(f"file:///{name}", text, 1)
-    start = types.Position(0, 0)
-    document.change([types.TextDocumentContentChangePartial(types.Range(start, start), " ")], 2)
-    work(Job(CHECK, name, document.text, "mccl" if name.endswith(".mcl") else "mint", None, ""))
+    """Do what an editor does when typing pauses."""
+    language = dialect_of(name)
+    assert language is not None
+    findings(Page(Source(name, text), language, {}))
 
 
 def _explore(name: str, text: str) -> None:

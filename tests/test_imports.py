@@ -44,7 +44,6 @@ LAZY = {
     "hosts/client/mint.py": "client.virtual",
     "kernel/mint/runtime/task.py": "runtime.errors",
     "processes/parallel.py": "workers",
-    "ide/lsp/command.py": "server workers",
 }
 
 

@@ -28,9 +28,7 @@ def test_each_language_comments_with_its_sign() -> None:
 
 
 def test_the_extension_has_the_commands_of_the_lenses() -> None:
-    features = pytest.importorskip(
-        "motionlang.ide.lsp.features", reason="pygls is not installed: the extra `lsp`"
-    )
+    features = pytest.importorskip("motionlang_lsp.features", reason="motionlang-lsp is not installed")
     commands = {each["command"] for each in PACKAGE["contributes"]["commands"]}
     assert set(features.LENSES) <= commands
     code = (FOLDER / "src" / "extension.ts").read_text(encoding="utf-8")

@@ -194,11 +194,6 @@ def test_every_module_that_imports_a_library_of_an_extra_needs_it_first() -> Non
     assert silent == {
         # Imported by `figure_files.py`, which needs matplotlib first.
         "views/figure_matplotlib.py",
-        # Imported by `motionlang lsp`, which needs pygls first.
-        "ide/lsp/features.py",
-        "ide/lsp/protocol.py",
-        "ide/lsp/server.py",
-        "ide/lsp/session.py",
     }
 
 

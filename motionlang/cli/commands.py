@@ -72,7 +72,6 @@ GROUPS = {
         "serve": ("hosts.commands.serve:Serve", "let hosts talk to a virtual controller"),
     },
     "editor, shell and help": {
-        "lsp": ("ide.lsp.command:Lsp", "serve an editor: diagnostics, completion, names, simulated times"),
         "dap": ("ide.dap.command:Dap", "debug a program from an editor, forward and back"),
         "help": ("commands.help.command:Help", "explain a command, a keyword or a diagnostic's code"),
         "completion": ("cli.completion:Completion", "print a completion script for bash, zsh or fish"),
@@ -80,7 +79,7 @@ GROUPS = {
 }
 COMMANDS = {name: row for rows in GROUPS.values() for name, row in rows.items()}
 # The commands of the distributions in the folder extras, which may not be installed.
-EXTRAS = ("mcapi", "copley")
+EXTRAS = ("mcapi", "copley", "lsp")
 Parser.verbs = (*COMMANDS, *EXTRAS)
 
 EPILOG = """\

@@ -140,7 +140,6 @@ def nearest(word: str, words: Iterable[str]) -> str | None:
 LIBRARIES = {
     "matplotlib": ("plot", "matplotlib"),
     "pyarrow": ("parquet", "pyarrow"),
-    "pygls": ("lsp", "pygls"),
     "serial": ("serial", "pyserial"),
     "shtab": ("completion", "shtab"),
 }

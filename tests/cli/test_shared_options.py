@@ -39,7 +39,7 @@ EXTRAS = {
     "copley": {"copley serve": "virtual:x", "copley stream": "--scurve 1000 --time 100"},
     "mcapi": {"mcapi run": "a.mnt", "mcapi serve": "--port 0", "mcapi replay": "a.log"},
 }
-LINES |= {command: line for each in INSTALLED for command, line in EXTRAS[each.name].items()}
+LINES |= {command: line for each in INSTALLED for command, line in EXTRAS.get(each.name, {}).items()}
 # A wrong value of an option, and what every command says to it.
 WRONG = (
     ("--format x", "argument --format: 'x' is not one of "),

@@ -25,6 +25,7 @@ PRINTED = "the nut is at 200.0000 mm"
 # A use of each distribution in extras, and what it prints.
 USES = {
     "copley": ("copley stream --scurve 1000 --time 100", "move ended at 1000"),
+    "lsp": ("lsp --help", "--tcp HOST:PORT"),
     "mcapi": ("mcapi replay extras/mcapi/test_mcapi/stage.mcapi-log", "0 differences"),
 }
 # The start of the program for people without Python: workers of `sweep` and `check` are processes of the same file.
@@ -173,11 +174,13 @@ def extras(folder: Path, wheel: Path) -> Iterator[Row]:
 
 def program(folder: Path, wheel: Path) -> Iterator[Row]:
     """Build the program for people without Python, one folder in an archive, and use every command of it."""
-    programs = environment(folder / "program-env", f"{wheel}[lsp]", "pyinstaller>=6.11")
+    server = next(folder.glob("motionlang_lsp-*.whl"))
+    programs = environment(folder / "program-env", wheel, server, "pyinstaller>=6.11")
     (folder / "entry.py").write_text(ENTRY, encoding="utf-8")
     call(
         programs / "pyinstaller", "--noconfirm", "--log-level", "ERROR", "--name", "motionlang", "--onedir",
         "--collect-data", "motionlang", "--collect-submodules", "motionlang", "--distpath", "program",
+        "--copy-metadata", "motionlang-lsp", "--collect-submodules", "motionlang_lsp",
         "--exclude-module", "setuptools", "entry.py", folder=folder,
     )  # fmt: skip
     built = folder / "program" / "motionlang"

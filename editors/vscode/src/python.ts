@@ -3,7 +3,7 @@
 import { execFile } from "node:child_process";
 import * as vscode from "vscode";
 
-const INSTALL = 'python -m pip install "motionlang[lsp]"';
+const INSTALL = "python -m pip install . ./extras/lsp";
 /** The longest time that a Python may take to answer, in milliseconds. */
 const LIMIT = 20_000;
 
@@ -16,7 +16,7 @@ export async function findPython(): Promise<string | undefined> {
     }
     tried.push(python);
   }
-  const text = `motionlang is not installed in ${tried.join(", ") || "any Python"}: ${INSTALL}`;
+  const text = `motionlang-lsp is not installed in ${tried.join(", ") || "any Python"}; in a clone of motionlang: ${INSTALL}`;
   const copy = "Copy the command", settings = "Open the setting";
   void vscode.window.showWarningMessage(text, copy, settings).then((chosen) => {
     if (chosen === copy) {
@@ -56,6 +56,6 @@ async function chosenPython(): Promise<string | undefined> {
 
 function hasMotionlang(python: string): Promise<boolean> {
   return new Promise((done) => {
-    execFile(python, ["-c", "import motionlang, pygls"], { timeout: LIMIT }, (error) => done(!error));
+    execFile(python, ["-c", "import motionlang_lsp.server"], { timeout: LIMIT }, (error) => done(!error));
   });
 }

@@ -10,7 +10,6 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
 pytest.importorskip("pytest_lsp", reason="pytest-lsp is not installed")
 
 from lsprotocol import types

@@ -9,14 +9,12 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
-
 from motionlang.ide.editor.times import Times
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang import NO_NAMES
+from test_lsp.test_answers import MACHINE, ask, at, span
+from test_lsp.wire import CHECK, INITIALIZE, NAMES, TIMES, URI, Wire, Worker
 from tests.cases import cases
-from tests.ide.lsp.test_answers import MACHINE, ask, at, span
-from tests.ide.lsp.wire import CHECK, INITIALIZE, NAMES, TIMES, URI, Wire, Worker
 
 
 class Timed(Worker):

@@ -16,9 +16,9 @@ from typing import Any
 
 import pytest
 
+from test_lsp.conftest import MAX_SECONDS, ROOT
+from test_lsp.wire import INITIALIZE, NOTIFICATIONS, REQUESTS, URI, Broken, Chance, Wire
 from tests.cases import cases
-from tests.ide.lsp.conftest import MAX_SECONDS, ROOT
-from tests.ide.lsp.wire import INITIALIZE, NOTIFICATIONS, REQUESTS, URI, Broken, Chance, Wire
 
 # Bodies that are no message, or none of a valid form.
 GARBAGE = (

@@ -13,18 +13,16 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
-
 from motionlang.ide.editor.times import NO_TIMES, Times
-from motionlang.ide.lsp import features, server, session, workers
-from motionlang.ide.lsp.jobs import CHECK, TIMES, Job
-from motionlang.ide.lsp.server import MessageStream, _Limited
-from motionlang.ide.lsp.workers import WorkerProcess
 from motionlang.kernel import Diagnostic
+from motionlang_lsp import features, server, session, workers
+from motionlang_lsp.jobs import CHECK, TIMES, Job
+from motionlang_lsp.server import MessageStream, _Limited
+from motionlang_lsp.workers import WorkerProcess
+from test_lsp.test_answers import MACHINE, ask, at, span
+from test_lsp.test_session import Timed, opened
+from test_lsp.wire import URI
 from tests.cases import cases
-from tests.ide.lsp.test_answers import MACHINE, ask, at, span
-from tests.ide.lsp.test_session import Timed, opened
-from tests.ide.lsp.wire import URI
 
 
 @pytest.mark.parametrize("limit", [-1, 0])

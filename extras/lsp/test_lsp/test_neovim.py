@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.ide.lsp.conftest import MAX_SECONDS, ROOT
+from test_lsp.conftest import MAX_SECONDS, ROOT
 
 NEOVIM = shutil.which("nvim")
 PROGRAM = """\

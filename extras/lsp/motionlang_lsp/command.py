@@ -10,7 +10,6 @@ from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.hosts.address import listen, parse, shown
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.files import reason
-from motionlang.kernel.tools import need
 
 
 @dataclass
@@ -40,9 +39,8 @@ examples:
 
     def run(self) -> int:
         """Serve one editor; return 0, or 1 if it left without a shutdown request."""
-        need("motionlang lsp", "pygls")
-        from motionlang.ide.lsp.server import EditorServer
-        from motionlang.ide.lsp.workers import WorkerProcess
+        from motionlang_lsp.server import EditorServer
+        from motionlang_lsp.workers import WorkerProcess
 
         server = EditorServer(WorkerProcess())
         if self.tcp is None:

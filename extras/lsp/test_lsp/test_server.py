@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
-from tests.ide.lsp.conftest import Editor, InOneServer, at, insertion, session
-from tests.ide.lsp.wire import PROGRAM
+from test_lsp.conftest import Editor, InOneServer, at, insertion, session
+from test_lsp.wire import PROGRAM
 
 # One kind of client in the normal run; the others differ in their capabilities alone.
 EDITORS = (
@@ -174,17 +172,6 @@ def test_a_text_in_a_wrong_encoding_has_one_diagnostic(in_one_server: InOneServe
         assert found.message.startswith("1 character has been lost")
 
     in_one_server(work, tmp_path / "a.mnt")
-
-
-def test_without_pygls_the_command_names_the_package_to_install() -> None:
-    program = (
-        "import sys; sys.modules['pygls'] = None; from motionlang.cli import main; sys.exit(main(['lsp']))"
-    )
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
-    assert done.returncode != 0
-    assert "motionlang lsp needs pygls" in done.stderr
-    assert 'python -m pip install "motionlang[lsp]"' in done.stderr
-    assert "Traceback" not in done.stderr
 
 
 def test_positions_are_in_units_of_utf_16(in_one_server: InOneServer, tmp_path: Path) -> None:

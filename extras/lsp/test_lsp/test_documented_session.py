@@ -7,8 +7,8 @@ from pathlib import Path
 
 from lsprotocol import types
 
-from tests.ide.lsp.conftest import ROOT, Editor, InOneServer
-from tests.ide.lsp.test_server import changes_of
+from test_lsp.conftest import ROOT, Editor, InOneServer
+from test_lsp.test_server import changes_of
 
 PROGRAM = ROOT / "scripts" / "mint" / "limit-recovery.mnt"
 # Columns of a program text on the page, before the hint of its line.

@@ -15,13 +15,13 @@ from pygls.exceptions import FeatureRequestError, JsonRpcException
 from pygls.io_ import run_async
 from pygls.lsp.server import LanguageServer
 
-from motionlang.ide.lsp.convert import diagnostic
-from motionlang.ide.lsp.documents import OpenDocument
-from motionlang.ide.lsp.features import register
-from motionlang.ide.lsp.protocol import Protocol
-from motionlang.ide.lsp.session import OpenTexts, Worker
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.version import __version__
+from motionlang_lsp.convert import diagnostic
+from motionlang_lsp.documents import OpenDocument
+from motionlang_lsp.features import register
+from motionlang_lsp.protocol import Protocol
+from motionlang_lsp.session import OpenTexts, Worker
 
 # The largest message accepted, in bytes; four times the largest program.
 MAX_MESSAGE = 1 << 28

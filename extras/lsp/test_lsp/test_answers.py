@@ -7,10 +7,7 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
-
-
-from tests.ide.lsp.wire import INITIALIZE, PROGRAM, URI, Wire
+from test_lsp.wire import INITIALIZE, PROGRAM, URI, Wire
 
 MACHINE = "file:///nowhere/a.machine.toml"
 

@@ -16,7 +16,7 @@ from concurrent.futures import BrokenExecutor, Executor
 from typing import Protocol
 
 from motionlang.ide.editor.times import NO_TIMES
-from motionlang.ide.lsp.jobs import TIMES, Job, Result, work
+from motionlang_lsp.jobs import TIMES, Job, Result, work
 
 
 class StoppableExecutor(Protocol):

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.ide.lsp.jobs import CHECK, Job, work
 from motionlang.kernel import Diagnostic
+from motionlang_lsp.jobs import CHECK, Job, work
 
 
 def checked(text: str, machine: str | None = None, language: str = "mint") -> list[tuple[str, int, int]]:

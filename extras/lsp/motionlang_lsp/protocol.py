@@ -16,7 +16,7 @@ from pygls.protocol import LanguageServerProtocol
 from pygls.protocol.language_server import lsp_method
 
 if TYPE_CHECKING:
-    from motionlang.ide.lsp.server import EditorServer
+    from motionlang_lsp.server import EditorServer
 
 NOT_INITIALIZED = -32002
 INVALID_REQUEST = -32600

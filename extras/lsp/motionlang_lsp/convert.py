@@ -8,8 +8,8 @@ from lsprotocol import types
 
 from motionlang.ide.editor.fixes import SpanEdit
 from motionlang.ide.editor.navigation import OutlineEntry
-from motionlang.ide.lsp.documents import OpenDocument
 from motionlang.kernel import Diagnostic
+from motionlang_lsp.documents import OpenDocument
 
 _SEVERITIES = {
     "error": types.DiagnosticSeverity.Error,

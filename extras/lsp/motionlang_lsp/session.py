@@ -21,10 +21,10 @@ from pygls.uris import to_fs_path
 from motionlang.ide.editor.diagnostics import settings_of
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.times import NO_TIMES, Times
-from motionlang.ide.lsp.documents import OpenDocument
-from motionlang.ide.lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, Dialect, Source, dialect, dialect_of, dialects
 from motionlang.kernel.lang import NO_NAMES, Changes, Names
+from motionlang_lsp.documents import OpenDocument
+from motionlang_lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 
 
 class Worker(Protocol):

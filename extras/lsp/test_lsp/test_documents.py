@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import pytest
-
-pytest.importorskip("pygls", reason="pygls is not installed: the extra `lsp`")
-
 from lsprotocol import types
 
-from motionlang.ide.lsp.convert import diagnostic
-from motionlang.ide.lsp.documents import OpenDocument, characters
 from motionlang.kernel import Diagnostic
-from tests.ide.lsp.test_answers import span
-from tests.ide.lsp.wire import URI
+from motionlang_lsp.convert import diagnostic
+from motionlang_lsp.documents import OpenDocument, characters
+from test_lsp.test_answers import span
+from test_lsp.wire import URI
+from tests.counted_calls import all_calls
 
 CONVERTED = [
     ((2, 3, 4), span(1, 2, 6)),
@@ -65,6 +64,15 @@ def test_a_diagnostic_marks_its_place_or_its_line(
 def test_characters_of_utf_16_units(line: str, count: int, wanted: int) -> None:
     """A character above U+FFFF has two units; half of it is none of it."""
     assert characters(line, count) == wanted
+
+
+def test_a_change_in_a_text_of_twice_the_length_is_twice_the_work() -> None:
+    start, calls = types.Position(0, 0), []
+    inserted = types.TextDocumentContentChangePartial(types.Range(start, start), " ")
+    for count in (20, 500, 1000):  # the first one prepares
+        document = OpenDocument(URI, "MOVER(0) = 5\n" * count, 1)
+        calls.append(all_calls(partial(document.change, [inserted], 2)))
+    assert calls[2] <= 2.1 * calls[1]
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])

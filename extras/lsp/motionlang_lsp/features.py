@@ -18,14 +18,14 @@ from motionlang.ide.editor.machine_file import complete_machine_file, hover_mach
 from motionlang.ide.editor.page import Page
 from motionlang.ide.editor.signature import signature
 from motionlang.ide.editor.tokens import MODIFIERS, TYPES, tokens
-from motionlang.ide.lsp.convert import ITEMS, diagnostic, edits, markdown, symbol, workspace_edit
-from motionlang.ide.lsp.documents import units
-from motionlang.ide.lsp.protocol import REQUEST_FAILED
-from motionlang.ide.lsp.session import MAX_TEXT, Known
 from motionlang.kernel import MACHINE_SUFFIX
+from motionlang_lsp.convert import ITEMS, diagnostic, edits, markdown, symbol, workspace_edit
+from motionlang_lsp.documents import units
+from motionlang_lsp.protocol import REQUEST_FAILED
+from motionlang_lsp.session import MAX_TEXT, Known
 
 if TYPE_CHECKING:
-    from motionlang.ide.lsp.server import EditorServer
+    from motionlang_lsp.server import EditorServer
 
 T = TypeVar("T")
 

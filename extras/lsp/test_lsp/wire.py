@@ -10,9 +10,9 @@ from typing import Any
 from pygls.exceptions import JsonRpcException
 
 from motionlang.ide.editor.times import NO_TIMES
-from motionlang.ide.lsp.jobs import Job, Result, work
-from motionlang.ide.lsp.server import EditorServer
-from motionlang.ide.lsp.workers import Inline
+from motionlang_lsp.jobs import Job, Result, work
+from motionlang_lsp.server import EditorServer
+from motionlang_lsp.workers import Inline
 
 # What does the jobs, in this process here, and the kinds of jobs.
 Worker = Inline
