@@ -49,6 +49,8 @@ PLAYED = 6
 SOON = 0.1
 # A number or a key is there for so long, s; a comparison includes what comes so soon after its end.
 MOMENT = 0.02
+# Rules for one world take at most so much of the work of an exploration.
+DESCRIBED = 0.25
 # A world is compared for this much longer than the played run.
 LONGER = 1.5
 # An input comes and goes in so long, s.
@@ -156,7 +158,7 @@ class _Description:
     def __init__(self, explorer: Explorer, count: int, cycle: MachineCycle, trial: Trial) -> None:
         self._explorer, self._count, self._cycle, self._trial = explorer, count, cycle, trial
         # Rules are tried by so much work.
-        self._most = explorer.most()
+        self._most = explorer.most(DESCRIBED)
         self._owners = explorer.program.structure.owners()
         end = _end_of(cycle, trial)
         moves = ((each.begin, each.axis, each.line, each.is_short) for each in trial.moves)

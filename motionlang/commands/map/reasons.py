@@ -25,7 +25,7 @@ _COMPARISONS = {
     "<=": ("at most", ">", ">=", operator.le), ">=": ("at least", "<", "<=", operator.ge),
 }  # fmt: skip
 # In the form of a statement: an assignment to a name, a number, a reading of a channel, and a time.
-_ASSIGNS, _NUMBER = re.compile(r"~(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
+_ASSIGNS, _NUMBER = re.compile(r"(?:~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*)\))?")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
 _CALL, _PARAMETER = re.compile(r"Call !~(\w+)\((.*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
@@ -200,10 +200,9 @@ class Reasons:
         made = self._test(q, side)
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
-        is_weak = not side and not any(each.rank for each in made)
-        around = [each for each in self._of(q) if each.rank >= (COUNTED if is_weak else DIRECT)]
-        if is_weak or not around or any(self._is_loop(outer) for outer, _ in self._guards[q]):
-            return around if is_weak and around else made
+        around = [each for each in self._of(q) if each.rank >= DIRECT]
+        if not around or any(self._is_loop(outer) for outer, _ in self._guards[q]):
+            return made
         outer = " or ".join(each.text for each in around[:MAX_REASONS])
         return [each._replace(words=f"{outer} and {each.words}", rank=DIRECT) for each in made]
 
@@ -266,7 +265,7 @@ class Reasons:
             kind = "" if sign[0] == ">" else "within "
             return [
                 Reason(
-                    f"{kind}{float(right) / 1000:g} s after {self._since(clock[1] or left[1:], q)}",
+                    f"{kind}{float(right) / 1000:g} s after {self._since(clock[1] or clock[2] or 'TIME', q)}",
                     0,
                     COUNTED,
                 )
