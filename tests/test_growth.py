@@ -13,13 +13,12 @@ from pathlib import Path
 import pytest
 
 from motionlang.cli import main
+from motionlang.commands.check import check
 from motionlang.commands.map.behaviour import behaviour_of
 from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.program_map import program_map
 from motionlang.commands.map.view.text import render
 from motionlang.exploration import explore
-from motionlang.ide.editor.diagnostics import findings
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import Source, dialect_of
 from tests.counted_calls import all_calls
 
@@ -106,10 +105,10 @@ def _work(command: str, name: str, text: str) -> Callable[[], object]:
 
 
 def _edit(name: str, text: str) -> None:
-    """Do what an editor does when typing pauses."""
+    """Check a text, as an editor does when typing pauses."""
     language = dialect_of(name)
     assert language is not None
-    findings(Page(Source(name, text), language, {}))
+    check(language.program(Source(name, text), {}))
 
 
 def _explore(name: str, text: str) -> None:

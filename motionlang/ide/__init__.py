@@ -1,6 +1,5 @@
-"""The answers that editors ask for: the debugger, its adapter, and what an editor shows.
+"""The debugger and its adapter.
 
-`debug` runs a program forward and back without a protocol, and `dap` speaks the Debug Adapter Protocol for it. `editor`
-has what an editor shows of a text, as pure functions: diagnostics, hover, completion, names, layout, simulated times;
-the distribution motionlang-lsp speaks the Language Server Protocol for them.
+`debug` runs a program forward and back without a protocol, and `dap` speaks the Debug Adapter Protocol for it. What an
+editor shows of a text is in the distribution motionlang-lsp.
 """

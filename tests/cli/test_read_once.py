@@ -9,10 +9,7 @@ from lark import Lark
 
 from motionlang import sweep
 from motionlang.cli import main
-from motionlang.ide.editor.diagnostics import findings
-from motionlang.ide.editor.hover import hover
-from motionlang.ide.editor.page import Page
-from motionlang.kernel import Source, dialect
+from motionlang.kernel import Source
 from motionlang.kernel.mint import program
 from tests.counted_calls import count_calls
 
@@ -85,14 +82,3 @@ def test_the_settings_of_a_machine_are_varied_without_a_parse(monkeypatch: pytes
     rows = sweep(Source("a.mnt", "MOVER(0) = 5 : GO(0)\n"), {"controller.axes": [1, 2, 3]}, jobs=1)
     assert all(row.ok for row in rows)
     assert (parsed.calls, checked.calls) == (1, 3)
-
-
-def test_an_editor_parses_a_text_once_for_diagnostics_names_and_hovers(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    parsed = count_calls(monkeypatch, (Lark, "parse"))
-    page = Page(Source("a.mnt", "Dim spare\nMOVER(0) = 5 : GO(0)\n"), dialect("mint"))
-    assert [each.code for each in findings(page)] == ["unused-variable"]
-    assert [each.name for each in page.names.definitions] == ["spare"]
-    assert hover(page, 12) is not None
-    assert parsed.calls == 1

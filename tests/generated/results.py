@@ -32,18 +32,9 @@ from pathlib import Path
 
 from motionlang import __version__
 from motionlang.cli import main as command
-from motionlang.ide.editor import navigation
-from motionlang.ide.editor.completion import complete
-from motionlang.ide.editor.diagnostics import findings
-from motionlang.ide.editor.fixes import fixes
-from motionlang.ide.editor.formatting import format
-from motionlang.ide.editor.hover import hover
-from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
-from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.signature import signature
-from motionlang.ide.editor.tokens import tokens
-from motionlang.kernel import Source, dialect, read_machine, run
+from motionlang.kernel import Source, run
 from tests.commits import unpacked
+from tests.extras import ABSENT
 from tests.generated import handlers, sessions, tasks
 from tests.generated.command_lines import command_line
 from tests.generated.damage import damaged
@@ -51,8 +42,12 @@ from tests.generated.draw import Draw
 from tests.generated.motion import Generated, generate
 from tests.generated.pictures import described, picture_line
 
+if "lsp" not in ABSENT:
+    from test_lsp.editor.answers import answers, machine_file_answers
+
 ROOT = Path(__file__).parents[2]
 DIGESTS = Path(__file__).with_name("results.txt")
+SERVER = "extras/lsp"
 # The seeds of each family of programs, and of command lines without a program.
 SEEDS = {
     "motion": range(1, 37),
@@ -86,6 +81,9 @@ _FIGURE = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?|-?\d+e-\d+")
 # Figures of at least this many characters are rounded to significant digits and to decimals; smaller ones than
 # `SMALL` are only rounding errors of others. `OFF` moves exact halves of the last digit to one side.
 LONG, DIGITS, DECIMALS, SMALL, OFF = 11, 9, 11, 1e-9, 1.0 + 3e-12
+
+# What an editor shows is left out without motionlang-lsp.
+LEFT_OUT = ("editor", "machine") if "lsp" in ABSENT else ()
 
 # Texts without a digest. The first five depend on the last bit of a figure: whether two times are the same, or a
 # figure has another sign.
@@ -149,14 +147,14 @@ def _texts(family: str, seed: str) -> dict[str, str]:
     _write(program.name, program)
     found = {"program": program.text + program.machine_file}
     if family == "gallery":
-        return found | {
-            "damaged": _damaged(program),
-            "editor": _editor(program),
-            "machine": _machine(program, seed),
-        }
+        found["damaged"] = _damaged(program)
+        if not LEFT_OUT:
+            found |= {"editor": _editor(program), "machine": _machine(program, seed)}
+        return found
     found["report"] = said("run", program.name, "--format", "json", "--until", UNTIL)
     for kind in _kinds(program.seed):
-        found[kind] = _KINDS[kind](program)
+        if kind not in LEFT_OUT:
+            found[kind] = _KINDS[kind](program)
     if program.seed % 6 == 2:
         found["session"] = sessions.shown(program)
     return found
@@ -302,13 +300,7 @@ def _machine(program: Generated, name: str) -> str:
         return ""
     text = damaged(path.read_text(encoding="utf-8"), "mint", program.seed + 3000, 1)
     _write(program.name, program, machine=text)
-    source, draw = Source("a.machine.toml", text), Draw(program.seed)
-    found = [text, said("check", "-j", "1", program.name)]
-    for _ in range(6):
-        offset = draw.randrange(len(text) + 1)
-        shown = _fields(hover_machine_file(source, offset)), _fields(complete_machine_file(source, offset))
-        found.append(f"{offset} {shown}\n")
-    return "".join(found)
+    return text + said("check", "-j", "1", program.name) + machine_file_answers(text, Draw(program.seed))
 
 
 def _variant(program: Generated) -> str:
@@ -394,47 +386,7 @@ def _sweep(program: Generated) -> str:
 def _editor(program: Generated) -> str:
     """Return the answers of the language server for a copy with mistakes."""
     text = damaged(program.text, program.language, program.seed + 2000)
-    settings = read_machine(Source("a.machine.toml", program.machine_file))
-    page = Page(Source(program.name, text), dialect(program.language), settings)
-    return text + "".join(f"{line}\n" for line in _answers(page, Draw(program.seed)))
-
-
-def _answers(page: Page, draw: Draw) -> Iterator[object]:
-    """Yield the answers to an editor's requests, some of them at random positions."""
-    found = findings(page)
-    for each in found:
-        yield each.line, each.column, each.length, each.code, each.message, each.hint
-        yield from (_fields(fix) for fix in fixes(page, each))
-    yield from (_fields(symbol) for symbol in navigation.symbols(page))
-    yield navigation.folds(page)
-    laid_out = page.text
-    for edit in reversed(format(page, "    ")):
-        begin, end = edit.span
-        laid_out = laid_out[:begin] + edit.text + laid_out[end:]
-    yield from laid_out.split("\n")
-    yield list(tokens(page))
-    for _ in range(8):
-        offset = draw.randrange(len(page.text) + 1)
-        yield (
-            offset,
-            navigation.definition(page, offset),
-            navigation.references(page, offset, draw.chance(0.5)),
-        )
-        yield _fields(hover(page, offset)), _fields(signature(page, offset))
-        try:
-            yield [_fields(edit) for edit in navigation.rename(page, offset, "feed")]
-        except navigation.RenameRefused as reason:
-            yield str(reason)
-        if draw.chance(0.15):
-            yield [_fields(item) for item in complete(page, offset)]
-
-
-def _fields(value: object) -> object:
-    """Return a record as a tuple of its fields; nested records become tuples, too."""
-    if isinstance(value, list):
-        return [_fields(each) for each in value]
-    slots = getattr(type(value), "__slots__", None)
-    return value if slots is None else tuple(_fields(getattr(value, name)) for name in sorted(slots))
+    return text + answers(program, text)
 
 
 _KINDS: dict[str, Callable[[Generated], str]] = {
@@ -483,8 +435,8 @@ def main(arguments: list[str]) -> int:
             os.chdir(temporary)
             write_texts(folder, given.name or names())
             return 0
-        unpacked(given.commit, Path(temporary), "motionlang", "grammars")
-        paths = os.pathsep.join((temporary, str(ROOT)))
+        unpacked(given.commit, Path(temporary), "motionlang", "grammars", f"{SERVER}/motionlang_lsp")
+        paths = os.pathsep.join(str(Path(root, each)) for each in (".", SERVER) for root in (temporary, ROOT))
         again = [sys.executable, "-m", "tests.generated.results", str(folder), *given.name]
         return subprocess.run(
             again, check=False, cwd=temporary, env={**os.environ, "PYTHONPATH": paths}

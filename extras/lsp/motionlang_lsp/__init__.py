@@ -1,1 +1,1 @@
-"""The language server: `motionlang.ide.editor` over the Language Server Protocol."""
+"""The language server: what `editor` shows of a text, over the Language Server Protocol."""

@@ -1,4 +1,4 @@
-"""Conversion of the results of `ide/editor/` to types of the protocol."""
+"""Conversion of the results of `editor/` to types of the protocol."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from lsprotocol import types
 
-from motionlang.ide.editor.fixes import SpanEdit
-from motionlang.ide.editor.navigation import OutlineEntry
 from motionlang.kernel import Diagnostic
 from motionlang_lsp.documents import OpenDocument
+from motionlang_lsp.editor.fixes import SpanEdit
+from motionlang_lsp.editor.navigation import OutlineEntry
 
 _SEVERITIES = {
     "error": types.DiagnosticSeverity.Error,

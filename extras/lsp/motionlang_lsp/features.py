@@ -1,4 +1,4 @@
-"""The requests that the server answers, each with a function of `ide/editor/`."""
+"""The requests that the server answers, each with a function of `editor/`."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 
-from motionlang.ide.editor import navigation
-from motionlang.ide.editor.completion import Item, complete
-from motionlang.ide.editor.fixes import fixes
-from motionlang.ide.editor.formatting import format
-from motionlang.ide.editor.hover import hover
-from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
-from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.signature import signature
-from motionlang.ide.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang.kernel import MACHINE_SUFFIX
 from motionlang_lsp.convert import ITEMS, diagnostic, edits, markdown, symbol, workspace_edit
 from motionlang_lsp.documents import units
+from motionlang_lsp.editor import navigation
+from motionlang_lsp.editor.completion import Item, complete
+from motionlang_lsp.editor.fixes import fixes
+from motionlang_lsp.editor.formatting import format
+from motionlang_lsp.editor.hover import hover
+from motionlang_lsp.editor.machine_file import complete_machine_file, hover_machine_file
+from motionlang_lsp.editor.page import Page
+from motionlang_lsp.editor.signature import signature
+from motionlang_lsp.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang_lsp.protocol import REQUEST_FAILED
 from motionlang_lsp.session import MAX_TEXT, Known
 

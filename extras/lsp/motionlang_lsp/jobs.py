@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from motionlang.ide.editor.diagnostics import decoded, findings, settings_of
-from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.times import Times, times
 from motionlang.kernel import Diagnostic, Source, dialect
 from motionlang.kernel.lang import Names
+from motionlang_lsp.editor.diagnostics import decoded, findings, settings_of
+from motionlang_lsp.editor.page import Page
+from motionlang_lsp.editor.times import Times, times
 
 CHECK, NAMES, TIMES = "check", "names", "times"
 Result = list[Diagnostic] | Names | Times

@@ -18,12 +18,12 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcContentModified
 from pygls.uris import to_fs_path
 
-from motionlang.ide.editor.diagnostics import settings_of
-from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.times import NO_TIMES, Times
 from motionlang.kernel import MACHINE_SUFFIX, Diagnostic, Dialect, Source, dialect, dialect_of, dialects
 from motionlang.kernel.lang import NO_NAMES, Changes, Names
 from motionlang_lsp.documents import OpenDocument
+from motionlang_lsp.editor.diagnostics import settings_of
+from motionlang_lsp.editor.page import Page
+from motionlang_lsp.editor.times import NO_TIMES, Times
 from motionlang_lsp.jobs import CHECK, NAMES, TIMES, Job, Result
 
 

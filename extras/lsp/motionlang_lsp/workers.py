@@ -15,7 +15,7 @@ from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor
 from typing import Protocol
 
-from motionlang.ide.editor.times import NO_TIMES
+from motionlang_lsp.editor.times import NO_TIMES
 from motionlang_lsp.jobs import TIMES, Job, Result, work
 
 

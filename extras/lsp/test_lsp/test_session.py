@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from motionlang.ide.editor.times import Times
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang import NO_NAMES
+from motionlang_lsp.editor.times import Times
 from test_lsp.test_answers import MACHINE, ask, at, span
 from test_lsp.wire import CHECK, INITIALIZE, NAMES, TIMES, URI, Wire, Worker
 from tests.cases import cases

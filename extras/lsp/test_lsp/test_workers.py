@@ -13,9 +13,9 @@ from typing import Any
 
 import pytest
 
-from motionlang.ide.editor.times import NO_TIMES, Times
 from motionlang.kernel import Diagnostic
 from motionlang_lsp import features, server, session, workers
+from motionlang_lsp.editor.times import NO_TIMES, Times
 from motionlang_lsp.jobs import CHECK, TIMES, Job
 from motionlang_lsp.server import MessageStream, _Limited
 from motionlang_lsp.workers import WorkerProcess

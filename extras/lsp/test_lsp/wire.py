@@ -9,7 +9,7 @@ from typing import Any
 
 from pygls.exceptions import JsonRpcException
 
-from motionlang.ide.editor.times import NO_TIMES
+from motionlang_lsp.editor.times import NO_TIMES
 from motionlang_lsp.jobs import Job, Result, work
 from motionlang_lsp.server import EditorServer
 from motionlang_lsp.workers import Inline

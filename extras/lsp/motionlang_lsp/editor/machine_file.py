@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from motionlang.ide.editor.completion import Item
-from motionlang.ide.editor.hover import Hover
 from motionlang.kernel import Source, dialect, dialects
 from motionlang.kernel.lang import CHOICES, KEYS, REQUIRED, TABLES, generic
 from motionlang.kernel.servo import KEYS as SERVO_KEYS
+from motionlang_lsp.editor.completion import Item
+from motionlang_lsp.editor.hover import Hover
 
 _HEADER = re.compile(r"\s*(\[\[?)\s*([^\]]*?)\s*\]")
 _KEY = re.compile(r"""\s*([\w.\-"' ]*?)\s*=""")

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from motionlang.commands.help.view import SIGNS, markdown
 from motionlang.commands.map.program_map import channels_of
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import ProgramError
 from motionlang.kernel.lang import Definition, Span
+from motionlang_lsp.editor.page import Page
 
 # The most lines of a comment above a declaration that belong to it.
 _MAX_COMMENT = 20

@@ -10,9 +10,9 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import Keyword
 from motionlang.kernel.lang import Definition, Names
+from motionlang_lsp.editor.page import Page
 
 _WORD = re.compile(r"[A-Za-z_]\w*$")
 # A command of MCCL with the number of its axis, and the parameter that follows it.

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from motionlang.ide.editor.formatting import format
-from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.times import Times, times
-from motionlang.ide.editor.tokens import MODIFIERS, TYPES, tokens
 from motionlang.kernel import Source, dialect
+from motionlang_lsp.editor.formatting import format
+from motionlang_lsp.editor.page import Page
+from motionlang_lsp.editor.times import Times, times
+from motionlang_lsp.editor.tokens import MODIFIERS, TYPES, tokens
+from test_lsp.editor.pages import page
 from tests.cases import cases
-from tests.ide.editor.pages import page
 
-PROGRAMS = sorted((Path(__file__).parents[3] / "scripts").rglob("*.mnt"))
+PROGRAMS = sorted((Path(__file__).parents[4] / "scripts").rglob("*.mnt"))
 
 
 def kinds(text: str, language: str = "mint") -> list[tuple[str, str]]:

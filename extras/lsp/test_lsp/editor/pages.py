@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import Source, dialect
+from motionlang_lsp.editor.page import Page
 
 
 def page(text: str, language: str = "mint") -> Page:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from motionlang.ide.editor.fixes import SpanEdit
-from motionlang.ide.editor.page import Page
 from motionlang.kernel.lang import Span
+from motionlang_lsp.editor.fixes import SpanEdit
+from motionlang_lsp.editor.page import Page
 
 # The kinds of blocks that are symbols, and those of definitions outside them that are.
 _NAMED = frozenset(("sub", "function", "task", "event", "type", "macro", "startup"))

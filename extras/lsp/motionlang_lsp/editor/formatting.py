@@ -5,8 +5,8 @@ Tokens and comments do not change, so the program keeps its meaning.
 
 from __future__ import annotations
 
-from motionlang.ide.editor.fixes import SpanEdit
-from motionlang.ide.editor.page import Page
+from motionlang_lsp.editor.fixes import SpanEdit
+from motionlang_lsp.editor.page import Page
 
 
 def format(page: Page, indent: str = "  ") -> list[SpanEdit]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from motionlang.commands.evidence.keyword_facts import INDEX, UNITS
-from motionlang.ide.editor.page import Page
+from motionlang_lsp.editor.page import Page
 
 _OPENING, _CLOSING = ("(", "["), (")", "]")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import lru_cache
 
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import dialect
 from motionlang.views.highlight import pieces
+from motionlang_lsp.editor.page import Page
 
 # The kinds of tokens, in the order of their numbers, by the kinds of `views/highlight.py` and `kernel/lang/names.py`.
 TYPES = (

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+from lark import Lark
+
 from motionlang.commands.check.fix import fix
-from motionlang.ide.editor.diagnostics import findings, settings_of
-from motionlang.ide.editor.fixes import Fix, fixes
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import Source, dialect
+from motionlang_lsp.editor.diagnostics import findings, settings_of
+from motionlang_lsp.editor.fixes import Fix, fixes
+from motionlang_lsp.editor.hover import hover
+from motionlang_lsp.editor.page import Page
+from test_lsp.editor.pages import page
 from tests.cases import cases
-from tests.ide.editor.pages import page
+from tests.counted_calls import count_calls
 
 
 def applied(shown: Page, change: Fix) -> str:
@@ -106,3 +111,14 @@ def test_a_machine_file_is_checked_against_its_program() -> None:
 def test_the_hint_on_the_other_language_has_no_option_of_the_command_line() -> None:
     (found,) = findings(page("1MN,1SV1000\n1MR100,1WS\n", "mint"))
     assert found.hint == "choose MCCL as the language, or rename the file to .mcl"
+
+
+def test_an_editor_parses_a_text_once_for_diagnostics_names_and_hovers(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    parsed = count_calls(monkeypatch, (Lark, "parse"))
+    page = Page(Source("a.mnt", "Dim spare\nMOVER(0) = 5 : GO(0)\n"), dialect("mint"))
+    assert [each.code for each in findings(page)] == ["unused-variable"]
+    assert [each.name for each in page.names.definitions] == ["spare"]
+    assert hover(page, 12) is not None
+    assert parsed.calls == 1

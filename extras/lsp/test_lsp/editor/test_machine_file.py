@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
 from motionlang.kernel import Source
+from motionlang_lsp.editor.machine_file import complete_machine_file, hover_machine_file
 
 
 def completed(text: str) -> list[str]:

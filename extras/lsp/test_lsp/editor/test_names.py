@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.ide.editor import navigation
-from motionlang.ide.editor.hover import hover
-from motionlang.ide.editor.navigation import RenameRefused
+from motionlang_lsp.editor import navigation
+from motionlang_lsp.editor.hover import hover
+from motionlang_lsp.editor.navigation import RenameRefused
+from test_lsp.editor.pages import at_cursor, page
 from tests.cases import cases
-from tests.ide.editor.pages import at_cursor, page
 
 PROGRAM = """\
 Const limit = 250 ' mm

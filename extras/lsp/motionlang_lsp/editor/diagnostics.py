@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from motionlang.commands.check import check
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import (
     DEFAULT_AXES,
     Diagnostic,
@@ -14,6 +13,7 @@ from motionlang.kernel import (
     read_machine,
 )
 from motionlang.kernel.lang import IN_EDITOR, one_sentence
+from motionlang_lsp.editor.page import Page
 
 # The character in place of one that could not be decoded.
 _UNKNOWN = "\ufffd"

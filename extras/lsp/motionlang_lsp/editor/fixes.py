@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from motionlang.commands.check.rules import RULES
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import Diagnostic
 from motionlang.kernel.lang import Span
+from motionlang_lsp.editor.page import Page
 
 # A comment that silences warnings, with the codes that it has.
 _IGNORE = re.compile(r"lint:\s*ignore\b(?:[ \t]+[\w-]+(?:[ \t]*,[ \t]*[\w-]+)*)?", re.IGNORECASE)

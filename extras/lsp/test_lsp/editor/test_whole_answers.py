@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.ide.editor import navigation
-from motionlang.ide.editor.completion import complete
-from motionlang.ide.editor.diagnostics import findings
-from motionlang.ide.editor.fixes import fixes
-from motionlang.ide.editor.formatting import format
-from motionlang.ide.editor.hover import hover
-from motionlang.ide.editor.machine_file import complete_machine_file, hover_machine_file
-from motionlang.ide.editor.navigation import OutlineEntry
-from motionlang.ide.editor.page import Page
-from motionlang.ide.editor.signature import signature
-from motionlang.ide.editor.times import times
 from motionlang.kernel import Diagnostic, Source, dialect
+from motionlang_lsp.editor import navigation
+from motionlang_lsp.editor.completion import complete
+from motionlang_lsp.editor.diagnostics import findings
+from motionlang_lsp.editor.fixes import fixes
+from motionlang_lsp.editor.formatting import format
+from motionlang_lsp.editor.hover import hover
+from motionlang_lsp.editor.machine_file import complete_machine_file, hover_machine_file
+from motionlang_lsp.editor.navigation import OutlineEntry
+from motionlang_lsp.editor.page import Page
+from motionlang_lsp.editor.signature import signature
+from motionlang_lsp.editor.times import times
+from test_lsp.editor.pages import at_cursor, page
 from tests.cases import cases
-from tests.ide.editor.pages import at_cursor, page
 
 A = "```mint\nConst a = 1\n```"
 ONE_TO_20 = " ".join(map(str, range(1, 21)))

@@ -9,8 +9,8 @@ from motionlang.commands.profile.motions import Motions
 from motionlang.commands.profile.polls import Polls
 from motionlang.commands.profile.source_positions import SourcePositions
 from motionlang.commands.profile.tasks import all_waits
-from motionlang.ide.editor.page import Page
 from motionlang.kernel import CheckedSettings, Run, end_of, run
+from motionlang_lsp.editor.page import Page
 
 # The machine time after which a run ends here, s: most programs of machines have no end of their own.
 MAX_TIME = 600.0

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang.ide.editor.completion import Item, complete
+from motionlang_lsp.editor.completion import Item, complete
+from test_lsp.editor.pages import at_cursor
 from tests.cases import cases
-from tests.ide.editor.pages import at_cursor
 
 SUBS = "Dim speedy As Integer\nConst span = 3\nSub Spin(turns As Float, n)\nEnd Sub\nTask spare\nEnd Task\n"
 TYPES = "Type Job\n  Dim size As Float\n  Dim skew As Float\nEnd Type\nDim j As Job\n"
