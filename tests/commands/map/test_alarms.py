@@ -118,7 +118,7 @@ RETURN
 @pytest.mark.parametrize(
     ("name", "text", "lines"),
     [
-        (
+        pytest.param(
             "a.prg",
             STEPS,
             [
@@ -131,8 +131,10 @@ RETURN
                 "'AIR' comes by input 7 (air on) off, line 5; ends by input 6 (reset left) on, line "
                 "34, then input 5 (reset right) on, line 35",
             ],
+            id="steps",
+            marks=pytest.mark.slow,
         ),
-        (
+        pytest.param(
             "a.mnt",
             NUMBERS,
             [
@@ -141,8 +143,9 @@ RETURN
                 "(tray) on 0.5 s after line 15, line 17; ends by input 1 (guard open) off and comms "
                 "element 1 = 3, line 11",
             ],
+            id="numbers",
         ),
-        (
+        pytest.param(
             "a.mccl",
             MACROS,
             [
@@ -151,8 +154,9 @@ RETURN
                 "'GATE NOT SHUT' comes by input 1 (gate shut) off, line 3; ends by input 1 (gate shut) "
                 "on, line 7",
             ],
+            id="macros",
         ),
-        (
+        pytest.param(
             "a.prg",
             LEVELS,
             [
@@ -162,9 +166,10 @@ RETURN
                 "'stopped' comes by input 1 (stop) on, line 17",
                 "'ERROR' comes by a fault (event ONERROR), line 21 (not played)",
             ],
+            id="levels",
+            marks=pytest.mark.slow,
         ),
     ],
-    ids=["steps", "numbers", "macros", "levels"],
 )
 def test_alarms_have_the_reasons_of_their_branches_and_all_steps_of_their_reset(
     cell: Cell, name: str, text: str, lines: list[str]
