@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Named, Read, Structure
 from motionlang.kernel.tools import ranges
 
 # The keys of the machine file that assign an input to an axis.
+# In the form of a statement: a call, and in the head of a sub a parameter.
+_CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
 # The channels that a loop may poll, by the kind of reading.
 DEVICES = {"input": "input", "analogue": "analogue input", "encoder": "encoder", "operator": "key"}
@@ -93,11 +95,16 @@ def channels(
     number of a channel or "".
     """
     found: dict[tuple[str, str], Channel] = {}
-    in_loops = polled(structure)
+    in_loops, parameters = polled(structure), _given(structure)
     uses = [
-        (use, bool(statement.waits) or _is_polled(use, in_loops.get(statement.line, ())), statement.condition)
+        (
+            each,
+            bool(statement.waits) or _is_polled(use, in_loops.get(statement.line, ())),
+            statement.condition,
+        )
         for statement in structure.statements.values()
         for use in statement.channels
+        for each in _with_number(use, parameters)
     ]
     outputs = {use.number for use, *_ in uses if use.channel == "output" and use.access == WRITE}
     for use, waits, condition in uses:
@@ -123,6 +130,23 @@ def channels(
             found.setdefault(place, Channel(*place)).starts.append(unit.title)
     _name(found.values(), settings, names, remarks)
     return sorted(found.values(), key=order_of)
+
+
+def _with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[ChannelUse]:
+    """Return the use of a channel, of each one if its number is a parameter with known values."""
+    numbers = given.get(use.alias.lower(), ()) if use.number == "?" else ()
+    return [replace(use, number=each, alias="") for each in numbers] or [use]
+
+
+def _given(structure: Structure) -> dict[str, list[str]]:
+    """Map the parameters of subs to the numbers with which the program calls them, if all are known."""
+    names = {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
+    found: dict[str, dict[str, None]] = {}
+    for each in structure.statements.values():
+        for name, values in _CALL.findall(each.form):
+            for parameter, value in zip(names.get(name, ()), values.split(", "), strict=False):
+                found.setdefault(parameter, {})[value] = None
+    return {name: list(known) for name, known in found.items() if all(map(str.isdecimal, known))}
 
 
 def polled(structure: Structure) -> dict[int, set[Read]]:

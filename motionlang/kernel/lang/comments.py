@@ -33,7 +33,7 @@ from motionlang.kernel.source import Source
 
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
-    "input": "d?i|i/?p|in(?:p(?:ut)?)?s?x?|din",
+    "input": r"d?i|x(?=\d)|i/?p|in(?:p(?:ut)?)?s?x?|din",
     "output": r"d?[oq]|y(?=\d)|o/?p|out(?:p(?:ut)?)?s?x?|dout",
     "channel": "ch(?:an(?:nel)?)?s?|i/o",
     "analogue input": "adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
@@ -244,6 +244,8 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
             lists.add(items)
         elif not any(each.below.items for each in lists.columns) and not re.search(r"\w", text):
             continue  # a rule below a heading
+        elif lists.columns and len(text) - len(text.lstrip()) > max(each.end for each in lists.columns):
+            continue  # the text of the item above goes on
         else:
             lists.columns = []
             found += (

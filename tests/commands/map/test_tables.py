@@ -48,6 +48,14 @@ def test_a_number_in_a_list_of_channels_names_the_input_or_an_output_without_one
     assert [each.known_as for each in found] == ["input 1 (pedal)", "output 1", "output 2 (lamp)"]
 
 
+def test_a_channel_that_is_a_parameter_has_a_row_for_each_number_that_is_given() -> None:
+    """A number that is computed leaves the row of the parameter."""
+    text = "Look(1)\nLook(4)\n{}End\nSub Look(ch As Integer)\n  Pause INX(ch)\nEnd Sub\n"
+    titles = [[each.title for each in made(text.format(more)).channels] for more in ("", "Look(TIME)\n")]
+    assert titles == [["input 1", "input 4"], ["input ?"]]
+    assert channel(text.format(""), "input 4").waits == [5]
+
+
 def test_an_input_with_all_its_uses() -> None:
     text = (
         "Const _START = 3\nPAUSE INX(_START)\nIf INX(3) Then PRINT 1\nHOMEINPUT(0) = 3\n"
