@@ -121,7 +121,8 @@ def _alarms(
         texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
         shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
         values = next((known for one in shown if len(known := reasons.values(one)) > 1), {})
-        is_number = bool(values) and any(map(is_alarm, shown))
+        is_number = bool(values) and any(map(is_alarm, (*shown, *texts)))
+        values = values if is_number else {}  # a step or a count in a text is no number of an alarm
         is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
         is_left = is_told and each.at not in exploration.world.cycle.begun
         is_trouble = is_number or bool(lamps) or is_wrong(" ".join(texts))

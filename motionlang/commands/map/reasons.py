@@ -197,6 +197,8 @@ class Reasons:
 
     def _within(self, q: int, side: bool) -> list[Reason]:
         """Return why a side is taken: a quotation or a time with the channel around it, or only what is around it."""
+        if self._is_known(q, side):
+            return self._of(q)
         made = self._test(q, side)
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
@@ -205,6 +207,15 @@ class Reasons:
             return made
         outer = " or ".join(each.text for each in around[:MAX_REASONS])
         return [each._replace(words=f"{outer} and {each.words}", rank=DIRECT) for each in made]
+
+    def _is_known(self, q: int, side: bool) -> bool:
+        """True if a branch tests a step that a branch around it has tested, as If step = 2 in Case 2."""
+        tested, guards = self._tested(((q, side),)), self._guards.get(q, ())
+        while tested[0] and len(guards) == 1 and guards[0][0] >= 0:
+            if self._tested(guards) == tested:
+                return True
+            guards = self._guards[guards[0][0]]
+        return False
 
     def _test(self, q: int, side: bool) -> list[Reason]:
         """Return the reasons, each by itself enough, why a branch goes to one side or a handler is called."""
