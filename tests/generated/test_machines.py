@@ -6,6 +6,7 @@ from concurrent.futures import ProcessPoolExecutor
 
 import pytest
 
+from motionlang.commands.init.command import PLAYED
 from motionlang.exploration import explore
 from motionlang.kernel import Source, dialect_of, run
 from tests.generated.machines import SUFFIXES, machine
@@ -27,7 +28,7 @@ def _found(seed: int) -> tuple[bool, bool]:
     program = dialect.program(source, is_debug=True)
     assert program.errors == []
     board = {"controller.model": program.target.model} if program.target.model else {}
-    found = explore(program, board)
+    found = explore(program, board, seconds=PLAYED)
     printed = [
         " ".join(act.words for act in transition.acts if not act.subject)
         for node in found.nodes
