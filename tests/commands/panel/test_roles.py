@@ -34,8 +34,9 @@ End Loop
 Return
 """
 CHANNEL = """\
+first = 3
 Loop
-  waitFor(4)
+  waitFor(first + 1)
   OUTX(1) = 1 : MOVER(0) = 5 : GO(0) : Pause IDLE(0)
 End Loop
 Sub waitFor(ByVal ch As Integer)
