@@ -131,6 +131,8 @@ examples:
         return [*machine_next_to(self.a), *machine_next_to(self.b)]
 
     def run(self) -> int:
+        if not self.explore and "seconds" in self.typed:
+            raise WrongOption("--seconds limits the search of --explore")
         try:
             tolerance = Tolerance(*self.tolerance)
         except ValueError as error:

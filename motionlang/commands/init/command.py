@@ -133,6 +133,10 @@ examples:
             raise WrongOption(
                 "--new runs nothing: it takes no --until, --seconds, --cycle, --recording or --format"
             )
+        if self.update and self.recording is not None and "seconds" in self.typed:
+            raise WrongOption(
+                "--seconds limits a search, and --update with --recording takes what was measured"
+            )
         if self.write and not self.update:
             raise WrongOption("--write writes what --update prints: give --update, too")
         if self.map and self.recording is None:
@@ -259,6 +263,10 @@ examples:
 
         if program.errors:
             raise Refused(program.errors, source=program.source, file=self.file)
+        if not os.path.lexists(path):
+            missing = unreadable(path, FileNotFoundError(ENOENT, os.strerror(ENOENT)))
+            missing.hint = f"motionlang init {self.file} writes it"
+            raise Refused([missing], file=path)
         machine = read(path)
         try:
             settings = read_machine(machine)
@@ -271,6 +279,10 @@ examples:
             )
         else:
             drafted = self._drafted(program, true_settings(settings))
+            interrupted = drafted.exploration.interrupted
+            if interrupted is not None:
+                sys.stderr.write(f"note: cut off after {count_of(drafted.exploration.trials, 'trial')}\n")
+                SIGNALS.end_with(interrupted)
             fault = drafted.exploration.fault_of(drafted.run)
             status = int(bool(fault))
             sentences = [f"no good piece was found: the best cycle {fault}"] if fault else []

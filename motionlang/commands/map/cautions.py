@@ -101,7 +101,7 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     given = entries(exploration.world.settings, "input")
     always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
     held = [int(one.number) for each in path for one in each.causes if one.subject in always]
-    why = f"; input{'s' if len(set(held)) > 1 else ''} {ranges(set(held))} all the time" if held else ""
+    why = f"; input{'s' if len(set(held)) > 1 else ''} {ranges(set(held))} may stay on" if held else ""
     yield CautionRow(
         "starts", what, f"start{'s' if ' and ' not in what and len(steps) < 2 else ''} the cycle{why}"
     )
@@ -155,7 +155,7 @@ def _by(reasons: Sequence[Reason]) -> str:
     texts = [f"{words}, {_lines(at)}" if any(at) else words for words, at in lines.items()]
     text = " or ".join(texts[:MAX_REASONS] + ["others"] * (len(texts) > MAX_REASONS))
     after = "" if _AFTER.match(text) else "after " if text[:1].isdigit() else "by "
-    return f"{after}{text}" if text else "without a condition"
+    return f"{after}{text}" if text else "by a condition that is not known"
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:

@@ -138,9 +138,14 @@ def _with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[Ch
     return [replace(use, number=each, alias="") for each in numbers] or [use]
 
 
+def parameters_of(structure: Structure) -> dict[str, list[str]]:
+    """Return the names of the parameters of each sub, all in small letters."""
+    return {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
+
+
 def _given(structure: Structure) -> dict[str, list[str]]:
     """Map the parameters of subs to the numbers with which the program calls them, if all are known."""
-    names = {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
+    names = parameters_of(structure)
     found: dict[str, dict[str, None]] = {}
     for each in structure.statements.values():
         for name, values in _CALL.findall(each.form):

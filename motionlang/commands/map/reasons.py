@@ -14,6 +14,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
+from motionlang.commands.map.channels import parameters_of
 from motionlang.commands.map.names import ReaderNames
 from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges
@@ -28,7 +29,7 @@ _COMPARISONS = {
 _ASSIGNS, _NUMBER = re.compile(r"(?:~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*)\))?")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
-_CALL, _PARAMETER = re.compile(r"Call !~(\w+)\((.*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
+_CALL = re.compile(r"Call !~(\w+)\((.*)\)")
 _TOKEN = re.compile(r"[()]|[^\s()]+")
 # So many guards of a point, reasons of one thing, reasons behind one another, and assignments of a name are followed.
 MAX_GUARDS, MAX_REASONS, MAX_DEPTH, MAX_SITES = 12, 6, 12, 100
@@ -69,7 +70,7 @@ class Reasons:
         # The first point of each statement, and what is assigned to each name at which point.
         self._first: dict[int, int] = {}
         self._sites: dict[str, list[tuple[int, str]]] = defaultdict(list)
-        parameters = {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
+        parameters = parameters_of(structure)
         for p in sorted(self._guards):
             statement = self._statement(p)
             if statement is not None and self._first.setdefault(statement.at, p) == p:
@@ -352,7 +353,7 @@ class Reasons:
     # -------------------------------------------------------------------------------------------------- channels
 
     def _use(self, form: str, statement: Statement) -> ChannelUse | None:
-        """Return the reading of a channel that a form stands for, None if it is anything else."""
+        """Return the reading of a channel in a form, None if it is anything else."""
         reading = _READING.fullmatch(form)
         if reading is None:
             return None
@@ -396,7 +397,12 @@ def _condition(statement: Statement) -> str:
 
 
 def _quoted(statement: Statement, side: bool) -> Reason:
-    return Reason(f"`{'' if side else 'not '}{statement.condition}`", statement.line)
+    text = statement.condition
+    if not side:  # the condition of an Until has been turned around already
+        text = (
+            text[5:-1] if statement.form.startswith("Until ") and text.startswith("not (") else f"not {text}"
+        )
+    return Reason(f"`{text}`", statement.line)
 
 
 def _is_number(form: str) -> bool:
@@ -404,7 +410,7 @@ def _is_number(form: str) -> bool:
 
 
 def _binary(form: str) -> tuple[str, str, str]:
-    """Return the two sides of a form in brackets and what stands between them, "" if it is none."""
+    """Return the two sides of a form in brackets and the operator between them, "" if it is none."""
     depth = 0
     for token in _TOKEN.finditer(form if form[:1] == "(" else ""):
         depth += (token[0] == "(") - (token[0] == ")")

@@ -71,6 +71,7 @@ def test_the_options_that_exclude_each_other(cell: Cell) -> None:
     assert cell("diff", "a.prg", "a.prg", "--write-scenarios", "out").status == 2
     assert cell("diff", "a.prg", "--explore").status == 2
     assert cell("diff", "a.prg", "a.prg", "--explore", "--tolerance", "time=1ms").status == 2
+    assert cell("diff", "a.prg", "a.prg", "--seconds", "3").status == 2
 
 
 @pytest.mark.long

@@ -116,3 +116,5 @@ def test_what_a_person_has_corrected_is_true_and_the_rest_is_searched(cell: Cell
     ]
     assert ran.status == 0
     assert cell("init", "feed.prg", "--update").out == ""
+    (cell.folder / "feed.machine.toml").unlink()
+    assert "hint: motionlang init feed.prg writes it" in cell("init", "feed.prg", "--update").err

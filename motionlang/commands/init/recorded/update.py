@@ -94,7 +94,7 @@ def searched(text: str, settings: Mapping[str, object], found: Mapping[str, obje
 
 
 def true_settings(settings: Mapping[str, object]) -> dict[str, object]:
-    """Return settings without the guesses of init: what is left a person has said."""
+    """Return settings without the guesses of init about channels; the switches of axes are not searched again."""
     found: dict[str, object] = {}
     for key, value in settings.items():
         if key in TABLES:
