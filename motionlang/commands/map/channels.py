@@ -88,6 +88,7 @@ def channels(
     settings: Mapping[str, object],
     names: Sequence[Named],
     remarks: Mapping[int, tuple[str, str]],
+    has_one_series: bool,
 ) -> list[Channel]:
     """Return the channels of a program, in the order of `CHANNELS` and their numbers.
 
@@ -109,7 +110,7 @@ def channels(
     outputs = {use.number for use, *_ in uses if use.channel == "output" and use.access == WRITE}
     for use, waits, condition in uses:
         kind = use.channel
-        if kind == "digital" or (kind == "input" and structure.has_one_series):
+        if kind == "digital" or (kind == "input" and has_one_series):
             kind = "output" if use.number in outputs else "input"
         channel = found.setdefault((kind, use.number), Channel(kind, use.number))
         if kind == "answer":
@@ -251,7 +252,8 @@ def _name(
         )
         name = next((str(each["name"]) for each in given if each.get("name")), "")
         is_either = kind == "input" or (kind == "output" and number not in inputs)
-        found = listed.get((kind, number)) or (listed.get(("channel", number)) if is_either else None)
+        others = {"comms element": "network data"} | ({kind: "channel"} if is_either else {})
+        found = listed.get((kind, number)) or listed.get((others.get(kind, ""), number))
         numbered = (at for at in channel.lines if remarks.get(at, ("", ""))[0] == number)
         line = next(numbered, channel.lines[0] if len(channel.names_at) == 1 and channel.lines else 0)
         remark = remarks.get(line, ("?", ""))

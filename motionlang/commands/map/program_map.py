@@ -42,7 +42,7 @@ def program_map(program: Program, language: Dialect) -> ProgramMap:
     names = names_in_comments(source, language)
     heads = {line: without_marks(text) for line, text in comments_of(source, language)[0]}
     made, unreached = units(structure, heads)
-    used = channels(structure, program.settings, names, remarks(source, language))
+    used = channels(structure, program.settings, names, remarks(source, language), language.has_one_series)
     unused = {(each.kind, str(each.number)): each for each in only_named(names, used)}
     only = (Channel(*key, each.name, f"comment, line {each.line}") for key, each in unused.items())
     return ProgramMap(
@@ -105,4 +105,6 @@ def channels_of(program: Program, language: Dialect) -> list[Channel]:
     """Return only the channels of a program; ProgramError with all errors of the text."""
     source = program.source
     names = names_in_comments(source, language)
-    return channels(program.structure, program.settings, names, remarks(source, language))
+    return channels(
+        program.structure, program.settings, names, remarks(source, language), language.has_one_series
+    )

@@ -25,7 +25,7 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise, repeat, zip_longest
+from itertools import groupby, pairwise, repeat, zip_longest
 from textwrap import shorten
 
 from motionlang.kernel.lang.dialect import Dialect
@@ -35,8 +35,8 @@ from motionlang.kernel.source import Source
 _WORDS = {
     "input": r"d?i|x(?=\d)|i/?p|in(?:p(?:ut)?)?s?x?|din",
     "output": r"d?[oq]|y(?=\d)|o/?p|out(?:p(?:ut)?)?s?x?|dout",
-    "channel": "ch(?:an(?:nel)?)?s?|i/o",
-    "analogue input": "adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
+    "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|i/o",
+    "analogue input": r"a(?=\d)|a/d|adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
     "axis": "ax(?:is|es)?",
     "encoder": "enc(?:oder)?s?",
@@ -83,6 +83,8 @@ _OUT = re.compile(r"(?:^|\()out(?:put)?\b\)?\s*", re.IGNORECASE)
 # A remark that may be a name has at most three words; a number before it, none of a level, is that of the channel.
 _REMARK = re.compile(r"(?:([2-9]|\d\d+) ?= ?)?([A-Za-z][\w/.-]*(?: [\w/.-]+){0,2})")
 MAX_NAME = 40
+# A list of channels without a word has so many items at least.
+LONG_LIST = 8
 # How far from its column a number may be, in characters.
 REACH = 3
 
@@ -119,6 +121,10 @@ class _Item:
     end: int = 0
 
 
+# An item with its kind and its name.
+_NamedItem = tuple[_Item, str, str]
+
+
 @dataclass(eq=False, slots=True)
 class _List:
     """A list of items of one kind; `column` is that of its last cell."""
@@ -143,7 +149,8 @@ class _Column:
 class _Lists:
     """The lists of comments, read line by line; `columns` are those of the last line with words."""
 
-    def __init__(self) -> None:
+    def __init__(self, has_one_series: bool) -> None:
+        self._has_one_series = has_one_series
         self.all: list[_List] = []
         self.columns: list[_Column] = []
         self._last: _List | None = None  # the one at the end of the last line if that has words
@@ -160,6 +167,9 @@ class _Lists:
             lists = iter(self._with_words(cells))
         elif self.columns:
             lists = iter(self._below(cells))
+        elif self._has_one_series and len(cells) > 1 and items[0].number == 1:
+            self.columns = [_Column(0, len(items[0].text), self._new(""))]
+            lists = repeat(self.columns[0].below)
         else:
             lists = repeat(self._new("axis") if items[0].has_equal else None)
         current = None
@@ -230,7 +240,7 @@ class _Lists:
 
 def names_in_comments(source: Source, language: Dialect) -> list[Named]:
     """Return the names that the comments of a program list, also those of channels that it does not use, in order."""
-    lists = _Lists()
+    lists = _Lists(language.has_one_series)
     found: list[tuple[int, int, Named]] = []
     last = 0
     for line, comment in comments_of(source, language)[0]:
@@ -251,11 +261,11 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
             found += (
                 (line, at, Named(kind, number, name, line)) for at, kind, number, name in _reversed(text)
             )
-    for each in lists.all:
-        found += (
-            (item.line, item.at, Named(kind, item.number, name, item.line))
-            for item, kind, name in _named(each)
-        )
+    named = [one for each in lists.all for one in _named(each, language.has_one_series)]
+    found += (
+        (item.line, item.at, Named(kind, item.number, text, item.line))
+        for item, kind, text in _without_values(named)
+    )
     return [each for *_, each in sorted(found, key=lambda each: each[:2])]
 
 
@@ -337,17 +347,20 @@ def _reversed(text: str) -> Iterator[tuple[int, str, int, str]]:
     yield from ((each.start(), "axis", int(each[2]), each[1]) for each in _LETTER.finditer(text))
 
 
-def _named(one: _List) -> Iterator[tuple[_Item, str, str]]:
+def _named(one: _List, has_one_series: bool) -> Iterator[_NamedItem]:
     """Yield the items of a list with their kinds and names.
 
     A list has equal signs if its last word has one. Without them `1 = automatic` explains a value of the item before
     it. A number that does not ascend begins such an explanation, which ends at the next cell that ascends. With equal
-    signs, a number in a cell counts on.
+    signs, a number in a cell counts on. Where inputs and outputs have one series, a list without a word that is long
+    is one of channels, and a number behind a gap may be that of an output.
     """
     items = _certain(one.items)
+    if not one.kind and len(items) < LONG_LIST:
+        return
     has_equals = bool(items) and items[0].has_equal
     last = first = line = -1
-    explains = False
+    explains = has_gap = False
     for item, following in zip_longest(items, items[1:]):
         has_equals = item.has_equal if item.kind else has_equals
         if item.has_equal > has_equals:
@@ -360,14 +373,27 @@ def _named(one: _List) -> Iterator[tuple[_Item, str, str]]:
         if explains:
             continue
         first = first if item.line == line else item.number
+        has_gap = not item.kind and (has_gap or item.number > last + 1 > 0)
         line, last = item.line, item.number
         end = following.at if following is not None and following.is_loose else item.end
-        text, kind = item.text[item.begin : end], one.kind
+        text, kind = item.text[item.begin : end], one.kind or "channel"
+        if has_one_series and has_gap and kind == "input":
+            kind = "channel"
         if kind == "channel" and _OUT.search(text):
             kind, text = "output", _OUT.sub("", text)
         name = _name(text)
         if name and not _SENTENCE.match(name):
             yield item, kind, shorten(name, MAX_NAME, placeholder="")
+
+
+def _without_values(named: Iterable[_NamedItem]) -> Iterator[_NamedItem]:
+    """Leave out numbers without a word if a word names one of them elsewhere: they are values of the item before."""
+    named = list(named)
+    certain = {(kind, item.number) for item, kind, _ in named if item.kind}
+    for (_, has_word), run in groupby(named, key=lambda one: (one[0].line, bool(one[0].kind))):
+        items = list(run)
+        if has_word or not any((kind, item.number) in certain for item, kind, _ in items):
+            yield from items
 
 
 def _certain(items: Sequence[_Item]) -> list[_Item]:

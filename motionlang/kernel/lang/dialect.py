@@ -76,6 +76,8 @@ class Dialect:
     title: str
     suffixes: tuple[str, ...]
     first_axis: int
+    # True if inputs and outputs have one series of numbers, so that an output can be read as an input is.
+    has_one_series = False
     # The sign that begins a comment.
     comment: str
     # What of a program changes a variable while a task waits, for hints.

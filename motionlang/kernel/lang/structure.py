@@ -206,8 +206,7 @@ class Structure:
 
     `writes` maps the offset of each name of a variable that a statement assigns to, to the number, text or name that it
     assigns, as in the program, "" for anything else; an element of an array has its index first. `variables` are the
-    names of the shared ones, by their numbers in `Uses`. `has_one_series` is True if inputs and outputs have one series
-    of numbers, so that an output can be read as an input is.
+    names of the shared ones, by their numbers in `Uses`.
     """
 
     source: Source
@@ -216,7 +215,6 @@ class Structure:
     units: Sequence[Unit]
     writes: Mapping[int, str]
     variables: Mapping[int, str] = field(default_factory=dict)
-    has_one_series: bool = False
 
     @cached_property
     def waits(self) -> WaitAnalysis:

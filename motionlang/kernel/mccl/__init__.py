@@ -90,6 +90,7 @@ class Mccl(Dialect):
     )  # fmt: skip
     first_axis = 1
     comment = ";"
+    has_one_series = True
     jumps = frozenset(("call_macro", "define_macro", "jump", "jump_by", "jump_macro", "start_task"))
 
     def program(

@@ -90,7 +90,7 @@ def structure(
                 writes[at] = channel if constant is None else str(constant)
     used = frozenset[int]().union(*(use.reads | use.sets for use in graph.uses if use is not None))
     registers = {n: f"register {n if n >= 0 else -1 - n}" for n in sorted(used)}
-    return Structure(source, statements, graph, units, writes, registers, has_one_series=True)
+    return Structure(source, statements, graph, units, writes, registers)
 
 
 def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
