@@ -119,9 +119,8 @@ def _explore(name: str, text: str) -> None:
     made = program_map(program, language)
     shares: list[float] = []
     found = explore(program, used=lambda: float(len(shares) >= TRIALS), progress=shares.append)
-    made.behaviour = behaviour_of(
-        found, made.structure, ReaderNames(made.channels, made.axes), made.unreached
-    )
+    names = ReaderNames(made.channels, made.axes, made.variables)
+    made.behaviour = behaviour_of(found, made.structure, names, made.unreached)
     render(made, width=80)
 
 

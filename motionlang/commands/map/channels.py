@@ -96,7 +96,7 @@ def channels(
     number of a channel or "".
     """
     found: dict[tuple[str, str], Channel] = {}
-    in_loops, parameters = polled(structure), _given(structure)
+    in_loops, parameters = polled(structure), given_numbers(structure)
     uses = [
         (
             each,
@@ -105,7 +105,7 @@ def channels(
         )
         for statement in structure.statements.values()
         for use in statement.channels
-        for each in _with_number(use, parameters)
+        for each in with_number(use, parameters)
     ]
     outputs = {use.number for use, *_ in uses if use.channel == "output" and use.access == WRITE}
     for use, waits, condition in uses:
@@ -133,7 +133,7 @@ def channels(
     return sorted(found.values(), key=order_of)
 
 
-def _with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[ChannelUse]:
+def with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[ChannelUse]:
     """Return the use of a channel, of each one if its number is a parameter with known values."""
     numbers = given.get(use.alias.lower(), ()) if use.number == "?" else ()
     return [replace(use, number=each, alias="") for each in numbers] or [use]
@@ -144,7 +144,7 @@ def parameters_of(structure: Structure) -> dict[str, list[str]]:
     return {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
 
 
-def _given(structure: Structure) -> dict[str, list[str]]:
+def given_numbers(structure: Structure) -> dict[str, list[str]]:
     """Map the parameters of subs to the numbers with which the program calls them, if all are known."""
     names = parameters_of(structure)
     found: dict[str, dict[str, None]] = {}

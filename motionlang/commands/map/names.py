@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable
 
 from motionlang.commands.map.axes import AxisMap
 from motionlang.commands.map.channels import Channel
+from motionlang.commands.map.units import MapVariable
 from motionlang.exploration import Act, Change, alarms_in
 from motionlang.kernel.lang import Named
 
@@ -17,8 +18,12 @@ _WORD = re.compile(r"(?<=[a-z])(?=[A-Z])")
 class ReaderNames:
     """Channels and axes by the names that a reader knows."""
 
-    def __init__(self, channels: Collection[Channel], axes: Iterable[AxisMap]) -> None:
+    def __init__(
+        self, channels: Collection[Channel], axes: Iterable[AxisMap], variables: Iterable[MapVariable]
+    ) -> None:
         self._known = {each.title: each.known_as for each in channels}
+        meant = {f"{each.kind} {each.name}": each.meaning for each in variables if each.meaning}
+        self._known |= {subject: f"{subject} ({meaning})" for subject, meaning in meant.items()}
         self._known |= {f"axis {each.axis}": each.title for each in axes}
         outputs = [each for each in channels if each.kind == "output"]
         self.alarms = {each.title for each in outputs if is_alarm(each.name)}

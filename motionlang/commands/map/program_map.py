@@ -85,7 +85,7 @@ def map_of_machine(
 def map_of_exploration(exploration: Exploration) -> ProgramMap:
     """Return the map of a program that was explored."""
     made = program_map(exploration.program, dialect(exploration.program.language))
-    names = ReaderNames(made.channels, made.axes)
+    names = ReaderNames(made.channels, made.axes, made.variables)
     made.behaviour = behaviour_of(exploration, made.structure, names, made.unreached)
     return made
 

@@ -14,7 +14,7 @@ from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
-from motionlang.commands.map.channels import parameters_of
+from motionlang.commands.map.channels import given_numbers, parameters_of, with_number
 from motionlang.commands.map.names import ReaderNames
 from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges
@@ -27,9 +27,13 @@ _COMPARISONS = {
 }  # fmt: skip
 # In the form of a statement: an assignment to a name, a number, a reading of a channel, and a time.
 _ASSIGNS, _NUMBER = re.compile(r"(?:~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
-_READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*)\))?")
+_READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*|~\w+)\))?")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
 _CALL = re.compile(r"Call !~(\w+)\((.*)\)")
+# A comparison of a channel or a register in MCCL, a register that is set, and a wait.
+_STORED, _WAITED = re.compile(r"0AR '(\d+)'"), re.compile(r"0WA '([\d.]+)'")
+_COMPARED = re.compile(r"((?:analogue input|register) \d+) (<>|[=<>]) (\S+)")
+_TIME = re.compile(r"[\d.]+ s after ")
 _TOKEN = re.compile(r"[()]|[^\s()]+")
 # So many guards of a point, reasons of one thing, reasons behind one another, and assignments of a name are followed.
 MAX_GUARDS, MAX_REASONS, MAX_DEPTH, MAX_SITES = 12, 6, 12, 100
@@ -70,7 +74,9 @@ class Reasons:
         # The first point of each statement, and what is assigned to each name at which point.
         self._first: dict[int, int] = {}
         self._sites: dict[str, list[tuple[int, str]]] = defaultdict(list)
-        parameters = parameters_of(structure)
+        # The times for which the lines of MCCL wait.
+        self._waited: dict[int, list[str]] = defaultdict(list)
+        parameters, self._given = parameters_of(structure), given_numbers(structure)
         for p in sorted(self._guards):
             statement = self._statement(p)
             if statement is not None and self._first.setdefault(statement.at, p) == p:
@@ -78,6 +84,12 @@ class Reasons:
                 given = zip(parameters.get(call[1], ()), call[2].split(", "), strict=False) if call else ()
                 for name, value in [assigns.groups()] if assigns is not None else given:
                     self._sites[name].append((p, value))
+                stored, waited = _STORED.fullmatch(statement.form), _WAITED.fullmatch(statement.form)
+                if stored is not None:
+                    value = structure.writes[statement.at + len(statement.text) - len(stored[1])]
+                    self._sites[f"register {stored[1]}"].append((p, value))
+                elif waited is not None:
+                    self._waited[statement.line].append(waited[1])
         forms = "\n".join(each.form for each in structure.statements.values())
         self._clocks = set(re.findall(r"~(\w+) TypeName ~time", forms))
         self._known: dict[int, list[Reason]] = {}
@@ -135,6 +147,21 @@ class Reasons:
 
     def _statement(self, p: int) -> Statement | None:
         return self._structure.statements.get(self._structure.points[p].at) if p >= 0 else None
+
+    def _repeats(self, q: int, p: int) -> bool:
+        """True if a line goes on from one of its points to another one."""
+        seen, stack = set[int](), [q]
+        while stack and p not in seen:
+            point = self._structure.points[stack.pop()]
+            after = {
+                each for each in (*point.next, point.calls) if each >= 0 and self._line(each) == self._line(q)
+            }
+            stack += after - seen
+            seen |= after
+        return p in seen
+
+    def _line(self, p: int) -> int:
+        return self._structure.line(self._structure.points[p].at)
 
     def _is_loop(self, p: int) -> bool:
         return p >= 0 and self._structure.points[p].at in self._loops
@@ -203,11 +230,25 @@ class Reasons:
         made = self._test(q, side)
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
-        around = [each for each in self._of(q) if each.rank >= DIRECT]
+        # A time is told with what has led on to it, a condition with those that it stands in.
+        if all(each.rank == COUNTED for each in made):
+            around = self._of(q)
+        else:
+            around = [each for outer in self._outside(q) for each in self._within(outer, True)]
+        around = [each for each in around if each.rank >= DIRECT]
         if not around or any(self._is_loop(outer) for outer, _ in self._guards[q]):
             return made
         outer = " or ".join(each.text for each in around[:MAX_REASONS])
         return [each._replace(words=f"{outer} and {each.words}", rank=DIRECT) for each in made]
+
+    def _outside(self, q: int) -> list[int]:
+        """Return the branches and the handler that a branch stands in, not those that it comes behind."""
+        for _ in range(MAX_DEPTH):
+            guards = self._guards.get(q, ())
+            if len(guards) != 1 or guards[0][1]:
+                break
+            q = guards[0][0]
+        return [outer for outer, side in self._guards.get(q, ()) if side]
 
     def _is_known(self, q: int, side: bool) -> bool:
         """True if a branch tests a step that a branch around it has tested, as If step = 2 in Case 2."""
@@ -234,13 +275,36 @@ class Reasons:
                     self._channel(statement.channels[0], "<>" if is_on else "=", "0"), statement.line, DIRECT
                 )
             ]
+        compared = _COMPARED.fullmatch(statement.condition)
+        if compared is not None:
+            sign = compared[2] if side else _COMPARISONS[compared[2]][1]
+            return self._compared(compared[1], sign, compared[3], q, statement)
         form = _condition(statement)
         made = self._tree(form, side, q, statement) if len(form) < MAX_LENGTH else []
         if len(made) == 1 and made[0].rank == DIRECT:
-            return [made[0]._replace(words=made[0].words + self._time_before(q, statement))]
+            return [made[0]._replace(words=made[0].words + self._time_before(q, statement, made[0].words))]
         return made or [_quoted(statement, side)]
 
-    def _time_before(self, q: int, statement: Statement) -> str:
+    def _compared(self, subject: str, sign: str, right: str, q: int, statement: Statement) -> list[Reason]:
+        """Return why a channel or a register of MCCL compares so; a count in a loop that waits is a time."""
+        sources = {value for _, value in self._sites.get(subject, ())}
+        if len(sources) == 1 and _COMPARED.fullmatch(f"{min(sources)} = 0"):
+            subject = min(sources)
+        raw = f"{self._names[subject]} {_COMPARISONS[sign][0]} {right}"
+        if not subject.startswith("register"):
+            return [Reason(raw, statement.line, DIRECT)]
+        line, counts = (
+            statement.line,
+            [p for p, value in self._sites.get(subject, ()) if value == f"{subject} + 1"],
+        )
+        waits = self._waited[line] if any(self._repeats(q, p) for p in counts) and sign[0] == ">" else []
+        if len(waits) == 1 and _is_number(right):
+            return [Reason(f"{float(right) * float(waits[0]):g} s in line {line}", 0, COUNTED)]
+        return list(self._assigned(subject, sign, right, q, statement)) or [
+            Reason(raw, statement.line, COUNTED)
+        ]
+
+    def _time_before(self, q: int, statement: Statement, words: str) -> str:
         """Return the time in the wait before a test of the same channels, "" if there is none."""
         p = self._waits.get(q, q)
         wait = self._statement(p)
@@ -249,7 +313,9 @@ class Reasons:
         }:
             return ""
         made = self._tree(_condition(wait), bool(wait.waits), p, wait) if p != q else []
-        return next((f" {each.words}" for each in made if " s after " in each.words), "")
+        times = [each.words for each in made if _TIME.match(each.words)]
+        # What the wait has waited for comes before its time is over.
+        return f" {times[0]}" if times and all(each.words != words for each in made) else ""
 
     def _tree(self, form: str, side: bool, q: int, statement: Statement) -> list[Reason]:
         """Return the reasons by which an expression is true, or false, none if they are unknown."""
@@ -270,9 +336,10 @@ class Reasons:
         if _is_number(left):
             left, sign, right = right, _COMPARISONS[sign][2], left
         sign = sign if side else _COMPARISONS[sign][1]
-        use, clock = self._use(left, statement), _CLOCK.fullmatch(left)
-        if use is not None:
-            return [Reason(self._channel(use, sign, right), statement.line, DIRECT)]
+        clock = _CLOCK.fullmatch(left)
+        uses = self._uses(left, statement) if clock is None or clock[2] else []
+        if uses:
+            return [Reason(self._channel(use, sign, right), statement.line, DIRECT) for use in uses]
         if clock is not None and (clock[2] is None or clock[2] in self._clocks) and _is_number(right):
             kind = "" if sign[0] == ">" else "within "
             return [
@@ -288,19 +355,24 @@ class Reasons:
     def _assigned(self, name: str, sign: str, right: str, q: int, statement: Statement) -> Iterator[Reason]:
         """Yield why a variable compares so: why it is assigned, what is counted, or what is read."""
         sites = self._assignments(name)
-        counts = [each for each in sites if each[1] in (f"(1 + ~{name})", f"(~{name} - 1)")]
+        one = (f"(1 + ~{name})", f"(~{name} - 1)", f"{name} + 1", f"{name} - 1")
+        counts = [each for each in sites if each[1] in one]
         if any(f"~{name}" in value for _, value in sites if (_, value) not in counts):
             return
-        uses = [
-            self._use(value, self._structure.statements[self._structure.points[p].at]) for p, value in sites
-        ]
-        for use in [each for each in uses if each is not None][:1]:
+        read = (
+            self._uses(value, self._structure.statements[self._structure.points[p].at]) for p, value in sites
+        )
+        for use in next(filter(None, read), []):
             yield Reason(self._channel(use, sign, right), statement.line, DIRECT)
             return
         numbers = [(p, value) for p, value in sites if _is_number(value)]
-        for p, value in numbers if _is_number(right) else ():
-            if _COMPARISONS[sign][3](float(value), float(right)):
-                yield from (each._replace(rank=min(each.rank, THROUGH)) for each in self._of(p))
+        is_flag = sum(float(value) != 0.0 for _, value in numbers) == 1
+        # What holds at 0, as at the start, has no reason.
+        for p, value in numbers if _is_number(right) and not _holds(0.0, sign, right) else ():
+            if _holds(value, sign, right):
+                yield from (
+                    each if is_flag else each._replace(rank=min(each.rank, THROUGH)) for each in self._of(p)
+                )
         for p, value in [each for each in counts if each[0] < q][-1:] or counts[:1]:
             if sign[0] in ("<=" if "-" in value else ">="):
                 begin = float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
@@ -309,9 +381,11 @@ class Reasons:
                     if _is_number(right)
                     else right.strip("~")
                 )
+                if times == "0":
+                    continue
                 by = self._of(p)
-                line = self._structure.line(self._structure.points[p].at)
-                why = by[0].text if len(by) == 1 and by[0].rank else f"line {line}"
+                line = self._line(p)
+                why = by[0].text if len(by) == 1 else f"line {line}"
                 yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
 
     def _assignments(self, name: str) -> list[tuple[int, str]]:
@@ -340,7 +414,7 @@ class Reasons:
             found = [each for each in sites if self._guards[each] == self._guards[p] and each < p][-1:]
             found = found or [each for each in sites if self._guards[each] in steps]
             p = self._guards[p][0][0] if len(self._guards[p]) == 1 and not step else -1
-        lines = {self._structure.line(self._structure.points[each].at) for each in found or sites}
+        lines = {self._line(each) for each in found or sites}
         return f"line{'s' * (len(lines) > 1)} {ranges(lines)}" if lines else "power-up"
 
     def _tested(self, guards: Sequence[Guard]) -> tuple[str, str]:
@@ -352,22 +426,21 @@ class Reasons:
 
     # -------------------------------------------------------------------------------------------------- channels
 
-    def _use(self, form: str, statement: Statement) -> ChannelUse | None:
-        """Return the reading of a channel in a form, None if it is anything else."""
+    def _uses(self, form: str, statement: Statement) -> list[ChannelUse]:
+        """Return the reading of a channel in a form, or of each one that its number, a parameter, may be."""
         reading = _READING.fullmatch(form)
         if reading is None:
-            return None
+            return []
         reads = [each for each in statement.channels if each.access == READ]
-        uses = [each for each in reads if reading[2] is None or each.number == reading[2]]
+        number = "?" if (reading[2] or "").startswith("~") else reading[2]
+        uses = [each for each in reads if number is None or each.number == number]
         text = self._structure.source.text
-        return next(
-            (
-                each
-                for each in uses
-                if text[each.name_at : each.name_at + len(reading[1])].upper() == reading[1]
-            ),
-            None,
-        ) or next(iter(uses), None)
+        named = (
+            each for each in uses if text[each.name_at : each.name_at + len(reading[1])].upper() == reading[1]
+        )
+        use = next(named, None) or next(iter(uses), None)
+        known = with_number(use, self._given) if use is not None else []
+        return [each for each in known if each.number != "?"]
 
     def _channel(self, use: ChannelUse, sign: str, right: str) -> str:
         """Return a comparison of a channel in words."""
@@ -403,6 +476,10 @@ def _quoted(statement: Statement, side: bool) -> Reason:
             text[5:-1] if statement.form.startswith("Until ") and text.startswith("not (") else f"not {text}"
         )
     return Reason(f"`{text}`", statement.line)
+
+
+def _holds(left: str | float, sign: str, right: str) -> bool:
+    return bool(_COMPARISONS[sign][3](float(left), float(right)))
 
 
 def _is_number(form: str) -> bool:

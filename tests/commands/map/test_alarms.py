@@ -87,6 +87,50 @@ MD90,OT"GATE NOT SHUT",WN1,MJ10
 2MN
 MC10
 """
+# Numbers of faults in a register, one by a level that another register holds.
+CODES = """\
+; inputs 1 run  2 sugar
+; analogue 1 force   reg 30 fault  reg 12 wasted
+MD1,WN1,IF2,MJ7,NO,2MR10,2WS.1,GA1,AR25,RA25,IG6.8,MJ8,NO,IB2,MJ3,NO,AL0,AR12,MJ1
+MD3,RA12,AA1,AR12,IG2,MJ8,NO,MJ1
+MD7,AL1,AR30,MJ9
+MD8,AL2,AR30,MJ9
+MD9,RA30,IE1,OT"NO SUGAR",NO,RA30,IE2,OT"WASTE",NO,AL0,AR30,WF1,MJ1
+2MN
+MJ1
+"""
+# A flag that a handler sets, a sensor that is a parameter, and a wait with a time-out before what it has waited for.
+WAITS = """\
+' IN 0 start  1 clamp  2 ram  3 hood
+Dim bTrip As Integer
+Dim bTold As Integer
+Loop
+  If bTold = 0 Then Print "READY"
+  bTold = 1
+  If bTrip = 1 Then
+    bTrip = 0
+    If POS(0) > 5 Then Print "HOOD OPEN"
+  End If
+  Pause INX(0)
+  MOVEA(0) = 10 : GO(0) : Pause IDLE(0)
+  TIME = 0
+  Repeat
+  Until INX(2) Or TIME > 800
+  If INX(2) = 0 Then Print "RAM STUCK"
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  Reached(1)
+  Reached(2)
+  bTold = 0
+End Loop
+Sub Reached(ByVal sensor As Integer)
+  Wait(50)
+  If Not INX(sensor) Then Print "NO ANSWER"
+End Sub
+Event IN3
+  STOP(0)
+  bTrip = 1
+End Event
+"""
 # Levels, a fault, and a loop of GOTOs that counts.
 LEVELS = """\
 REM IN 1 stop  4 cutter down
@@ -150,11 +194,34 @@ RETURN
             MACROS,
             [
                 "output 11 (fault lamp) and 'NO VACUUM' come by input 3 (vacuum ok) off, line 4 and "
-                "`accumulator > 49`, line 4; ends by input 5 (reset) on, line 6",
+                "0.49 s in line 4; ends by input 5 (reset) on, line 6",
                 "'GATE NOT SHUT' comes by input 1 (gate shut) off, line 3; ends by input 1 (gate shut) "
                 "on, line 7",
             ],
             id="macros",
+        ),
+        pytest.param(
+            "a.mccl",
+            CODES,
+            [
+                "'NO SUGAR' comes by input 2 (sugar) off, line 3; ends by input 1 (run) off, line 7, then "
+                "input 1 (run) on, line 3",
+                "'WASTE' comes by analogue input 1 (force) above 6.8, line 3 or 3 times analogue input "
+                "1 (force) below 2, line 3; ends by input 1 (run) off, line 7, then input 1 (run) on, "
+                "line 3",
+            ],
+            id="codes",
+        ),
+        pytest.param(
+            "a.mnt",
+            WAITS,
+            [
+                "'HOOD OPEN' comes by input 3 (hood) (event IN3), line 26 and `POS(0) > 5`, line 9 (not "
+                "played); ends by input 0 (start) on, line 11",
+                "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16",
+                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24",
+            ],
+            id="waits",
         ),
         pytest.param(
             "a.prg",

@@ -158,12 +158,12 @@ def test_registers_of_mccl() -> None:
     assert (found["20"].writes, found["20"].reads) == ([1], [2])
 
 
-def test_a_register_is_set_to_what_alone_the_accumulator_has_loaded() -> None:
+def test_a_register_is_set_to_what_the_accumulator_has() -> None:
     found = made("MD1,GA1,AR30,IG5.5,MJ30\nMD2,AL7,AR31,AA1,AR32,GA2,AR33,MJ@33\nMC1\n", "mccl")
     assert [each.given for each in found.variables] == [
         {"analogue input 1": [1]},
         {"7": [2]},
-        {},
+        {"register 31 + 1": [2]},
         {"analogue input 2": [2]},
     ]
 

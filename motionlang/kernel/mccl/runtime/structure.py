@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -30,6 +31,7 @@ from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR
 from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
 from motionlang.kernel.source import Source
 
+_REGISTER = re.compile(r"register \d+")
 # Commands that the graph shows, or that do nothing.
 _SILENT = frozenset(("define_macro", "jump", "jump_by", "repeat", "leave", "nothing"))
 
@@ -74,20 +76,20 @@ def structure(
         units.append(Unit(f"{number}{again}", "macro", body.line.number, graph.first(body)))
     # A jump by a register has a unit of its own, so that its callers and the macros behind it are not multiplied.
     units += (Unit(name, "macro", each.line_number, graph.first(each)) for name, each in choices.items())
+    found: dict[int, set[str]] = {}
+    for steps in lists:
+        for at, what in _held(steps):
+            found.setdefault(at, set()).add(what)
+    held = {at: "".join(what) for at, what in found.items() if len(what) == 1}
     writes = {
-        at + len(command.text) - len(str(command.number)): ""
+        at + len(command.text) - len(str(command.number)): held.get(at, "")
         for line in lines
         for command, at in zip(line.commands, line.offsets, strict=True)
         if command.function == "store"
     }
-    for steps in lists:
-        for pc, _, loaded in _set(steps):
-            step, command = steps[pc], steps.command(pc)
-            at = step.at + len(command.text) - len(str(command.number)) if command is not None else -1
-            if at in writes and loaded is not None and loaded.row is not None:
-                constant = _constant(loaded)
-                channel = f"{loaded.row.channel} {_parameter(loaded)}" if loaded.row.channel else ""
-                writes[at] = channel if constant is None else str(constant)
+    for at, each in statements.items():
+        if held.get(at, "")[:1].isalpha():
+            each.condition = each.condition.replace("accumulator", held[at])
     used = frozenset[int]().union(*(use.reads | use.sets for use in graph.uses if use is not None))
     registers = {n: f"register {n if n >= 0 else -1 - n}" for n in sorted(used)}
     return Structure(source, statements, graph, units, writes, registers)
@@ -115,6 +117,33 @@ def _set(steps: LineSteps) -> Iterator[tuple[int, int, Command | None]]:
             loaded = None if use.reads else command
         if step.kind in (CALL, ENTER):
             loaded = None
+
+
+def _held(steps: LineSteps) -> Iterator[tuple[int, str]]:
+    """Yield the commands of a line with what the accumulator has there: a number, a channel, a register, or 1 more."""
+    held, last = "", -1
+    for pc, step in enumerate(steps):
+        command = steps.command(pc)
+        if step.at == last or command is None or command.row is None:
+            continue
+        yield step.at, held
+        last = step.at
+        number, function = _parameter(command) if command.kind == NUMBER else "", command.function
+        match getattr(command.action, "accumulator", ""):
+            case "stores" if held.startswith("register") or not held[:1].isalpha():
+                held = f"register {number}"
+            case "recalls":
+                held = f"register {number}"
+            case "sets":
+                held = f"{command.row.channel} {number}" if command.row.channel and number else ""
+                held = number if function == "load" else held
+            case "adds":
+                sign = "+" if function == "add" else "-"
+                held = f"{held} {sign} {number}" if _REGISTER.fullmatch(held) and number else ""
+            case "computes" | "reads":
+                held = ""
+        if step.kind == CALL or function == "repeat":
+            held = ""
 
 
 def _constant(loaded: Command | None) -> int | None:
