@@ -400,6 +400,7 @@ def _outputs(explorer: Explorer) -> set[int]:
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
     """Return how often a run does each thing, and how often it says what is wrong."""
     right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
+    aside = explorer.beside | explorer.handlers
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
             is_done = move.profile.duration < inf and not move.ended
@@ -407,14 +408,14 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
     for switched in run.machine.log.outputs:
         if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
             faults[f"output {switched.channel}"] += 1
-        elif switched.value and switched.at >= 0 and switched.at not in explorer.beside:
+        elif switched.value and switched.at >= 0 and switched.at not in aside:
             right[OUTPUT, switched.channel] += 1
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
             text = without_figures(plain(each.text))
             if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
-            elif speaks(text):
+            elif speaks(text) and each.at not in explorer.handlers:
                 right[SAID, text] += 1
     return right, faults
 
