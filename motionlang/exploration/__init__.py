@@ -202,6 +202,12 @@ class Exploration:
         """The lines with a statement that no trial has carried out."""
         return self.without(self.begun)
 
+    @property
+    def missed_moves(self) -> list[int]:
+        """The lines with a statement that moves an axis and that no trial has carried out."""
+        statements = self.program.structure.statements
+        return sorted({each.line for at, each in statements.items() if each.moves and at not in self.begun})
+
     def without(self, begun: Collection[int]) -> list[int]:
         """Return the lines with a statement that is not among those that have begun, by their source offsets."""
         statements = self.program.structure.statements

@@ -34,7 +34,7 @@ class Moment(NamedTuple):
     every: float = 0.0
 
     def __str__(self) -> str:
-        often = f" {count_of(self.times, 'time')}" if self.every else ""
+        often = f" {count_of(self.times, 'time')}" if self.every and self.times > 1 else ""
         return f"{often} while axis {self.axis} moves (line {self.line})" if self.line else often
 
 
@@ -88,7 +88,9 @@ class Change(NamedTuple):
 
     def __str__(self) -> str:
         if self.table == "input":
-            return f"{self.subject} {'on' if self.value else 'off'}{self.moment}"
+            level, other = ("on", "off") if self.value else ("off", "on")
+            again = f" and {other} again" if self.moment.every and self.moment.times == 1 else ""
+            return f"{self.subject} {level}{again}{self.moment}"
         if self.table == "key":
             return "key Enter" if self.value == "\r" else f"key {self.value}"
         if self.table == "answer":

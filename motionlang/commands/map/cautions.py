@@ -1,16 +1,15 @@
-"""Cautions before a program is changed: what starts the cycle, what cuts off moves, alarms, outputs, endless waits.
+"""Cautions before a program is changed: what starts the cycle, what cuts off moves, alarms, endless waits.
 
-An input cuts off a move if the exploration has seen it: the input changed in the middle of the move. Outputs are those
-of the run in the likeliest world. A wait has no time-out if nothing came by itself while it lasted.
+An input cuts off a move if the exploration has seen it: the input changed in the middle of the move. A wait has no
+time-out if nothing came by itself while it lasted.
 """
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from math import inf
 
 from motionlang.commands.map.names import ReaderNames, is_alarm
 from motionlang.commands.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
@@ -23,12 +22,9 @@ from motionlang.exploration import (
     is_wrong,
     without_memory,
 )
-from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Statement, Structure
 from motionlang.kernel.tools import ranges
 
-# An output that is on for less than this in a motion only follows or precedes it, s.
-SHORT = 1e-3
 _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
 _OFF = ("0", "_off", "_false")
@@ -50,10 +46,6 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     rows = list(_start(exploration, names))
     rows += [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
     rows += _alarms(exploration, structure, names, reasons)
-    rows += [
-        CautionRow("on in motion", names[f"output {channel}"], f"is on in moves of {_lines(at)}")
-        for channel, at in sorted(_on_in_motion(exploration.world.run, exploration.beside).items())
-    ]
     waits = {
         structure.line(at)
         for node in exploration.nodes
@@ -176,33 +168,6 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
         ]
         found[", ".join(cuts) + (f" by {units[subject]}" if subject in units else "")].append(names.of(first))
     yield from ((" or ".join(changes), cuts) for cuts, changes in found.items())
-
-
-def _on_in_motion(run: Run, beside: Iterable[int]) -> dict[int, set[int]]:
-    """Return the lines of the moves in which each output is on that the work switches."""
-    log, aside = run.machine.log, set(beside)
-    moves = [
-        (each.start_time, each.start_time + each.profile.duration, each.line)
-        for each in log.moves
-        if each.profile is not None and each.profile.duration < inf
-    ]
-    switched: dict[int, list[tuple[float, bool]]] = defaultdict(list)
-    for each in log.outputs:
-        if each.at not in aside:
-            switched[each.channel].append((each.time, bool(each.value)))
-    found: dict[int, set[int]] = {}
-    for channel, changes in switched.items():
-        spans = [
-            (begin, end)
-            for (begin, level), (end, _) in zip(changes, [*changes[1:], (run.time, False)], strict=True)
-            if level
-        ]
-        at = {
-            line for on, off in spans for begin, end, line in moves if min(off, end) - max(on, begin) > SHORT
-        }
-        if at:
-            found[channel] = at
-    return found
 
 
 def _lines(lines: Collection[int]) -> str:

@@ -60,7 +60,6 @@ in this world, which motionlang init writes:
 Before you change anything
   input 1 (part in place) on starts the cycle
   input 2 (door) on cuts off moves of lines 6, 8 by event IN2
-  output 3 (clamp) is on in moves of lines 6, 8
   waits of lines 4, 14 have no time-out
 
 States

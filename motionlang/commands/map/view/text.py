@@ -14,7 +14,7 @@ from motionlang.commands.map.view import tables
 from motionlang.commands.map.view.graph import mermaid
 from motionlang.commands.map.view.timing import drawn
 from motionlang.kernel.lang import Unit
-from motionlang.kernel.tools import count_of
+from motionlang.kernel.tools import count_of, ranges
 from motionlang.views.terminal import printable, styled
 
 # So much of what happens in a transition is shown, or so much of its begin and its end.
@@ -70,13 +70,15 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
 
 def cycle_line(behaviour: MachineBehaviour) -> str:
     """Return one line about the cycle of a machine."""
-    run = behaviour.run
+    run, missed = behaviour.run, behaviour.exploration.missed_moves
+    lines = f"line{'s' if len(missed) > 1 else ''} {ranges(missed)}"
+    others = f"; moves of {lines} were not played, so a good piece may take another cycle" if missed else ""
     if run.cycle is not None:
         then = f"; then the program ends: {_then(behaviour.ending)}" if behaviour.ending else ""
-        return f"{run.cycle}{then}"
+        return f"{run.cycle}{then}{others}"
     if not len(run.machine.log.moves):
-        return "none: no axis moved"
-    return f"none; one run takes {run.time:.5g} s"
+        return f"none: no axis moved{others}"
+    return f"none; one run takes {run.time:.5g} s{others}"
 
 
 def world_lines(behaviour: MachineBehaviour) -> Iterator[str]:
