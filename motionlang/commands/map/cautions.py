@@ -146,7 +146,9 @@ def _by(reasons: Sequence[Reason]) -> str:
         lines[each.words].add(each.line)
     texts = [f"{words}, {_lines(at)}" if any(at) else words for words, at in lines.items()]
     text = " or ".join(texts[:MAX_REASONS] + ["others"] * (len(texts) > MAX_REASONS))
-    after = "" if _AFTER.match(text) else "after " if text[:1].isdigit() else "by "
+    after = (
+        "" if _AFTER.match(text) or text.startswith("without ") else "after " if text[:1].isdigit() else "by "
+    )
     return f"{after}{text}" if text else "by a condition that is not known"
 
 

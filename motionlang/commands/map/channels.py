@@ -12,7 +12,7 @@ from motionlang.kernel.tools import ranges
 
 # The keys of the machine file that assign an input to an axis.
 # In the form of a statement: a call, and in the head of a sub a parameter.
-_CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
+CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
 # The channels that a loop may poll, by the kind of reading.
 DEVICES = {"input": "input", "analogue": "analogue input", "encoder": "encoder", "operator": "key"}
@@ -149,7 +149,7 @@ def given_numbers(structure: Structure) -> dict[str, list[str]]:
     names = parameters_of(structure)
     found: dict[str, dict[str, None]] = {}
     for each in structure.statements.values():
-        for name, values in _CALL.findall(each.form):
+        for name, values in CALL.findall(each.form):
             for parameter, value in zip(names.get(name, ()), values.split(", "), strict=False):
                 found.setdefault(parameter, {})[value] = None
     return {name: list(known) for name, known in found.items() if all(map(str.isdecimal, known))}

@@ -12,9 +12,10 @@ import operator
 import re
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
+from functools import reduce
 from typing import NamedTuple
 
-from motionlang.commands.map.channels import given_numbers, parameters_of, with_number
+from motionlang.commands.map.channels import CALL, given_numbers, parameters_of, with_number
 from motionlang.commands.map.names import ReaderNames
 from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges
@@ -29,7 +30,7 @@ _COMPARISONS = {
 _ASSIGNS, _NUMBER = re.compile(r"(?:~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*|~\w+)\))?")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
-_CALL = re.compile(r"Call !~(\w+)\((.*)\)")
+_CASE = re.compile(r"CaseTest None (\S+) ([^\s,()]+)")
 # A comparison of a channel or a register in MCCL, a register that is set, and a wait.
 _STORED, _WAITED = re.compile(r"0AR '(\d+)'"), re.compile(r"0WA '([\d.]+)'")
 _COMPARED = re.compile(r"((?:analogue input|register) \d+) (<>|[=<>]) (\S+)")
@@ -80,9 +81,11 @@ class Reasons:
         for p in sorted(self._guards):
             statement = self._statement(p)
             if statement is not None and self._first.setdefault(statement.at, p) == p:
-                assigns, call = _ASSIGNS.fullmatch(statement.form), _CALL.fullmatch(statement.form)
-                given = zip(parameters.get(call[1], ()), call[2].split(", "), strict=False) if call else ()
-                for name, value in [assigns.groups()] if assigns is not None else given:
+                assigns = _ASSIGNS.fullmatch(statement.form)
+                given = [assigns.groups()] if assigns is not None else []
+                for called, values in CALL.findall(statement.form):
+                    given += zip(parameters.get(called, ()), values.split(", "), strict=False)
+                for name, value in given:
                     self._sites[name].append((p, value))
                 stored, waited = _STORED.fullmatch(statement.form), _WAITED.fullmatch(statement.form)
                 if stored is not None:
@@ -326,6 +329,14 @@ class Reasons:
             parts = [self._tree(each, side, q, statement) for each in (left, right)]
             if (sign == "Or") == side:
                 return [one for each in parts for one in each or [_quoted(statement, side)]]
+            # What has led to a step is no reason of what happens in it.
+            steps = [_compared_with(each) for each in (left, right)]
+            if side and any(parts[not k] and self._is_step(step) for k, step in enumerate(steps)):
+                k = int(self._is_step(steps[1]))
+                if all(each.rank == COUNTED for each in parts[not k]):
+                    without = self._without(steps[k], q)
+                    return [each._replace(words=each.words + without) for each in parts[not k]]
+                return parts[not k]
             best = max((one.rank for each in parts for one in each), default=QUOTED)
             kept = [each for each in parts if {one.rank for one in each} in ({COUNTED}, {best})]
             words = " and ".join(dict.fromkeys(" or ".join(one.words for one in each) for each in kept))
@@ -352,6 +363,19 @@ class Reasons:
         is_name = left.startswith("~") and (side or sign != "=")
         return list(dict.fromkeys(self._assigned(left[1:], sign, right, q, statement))) if is_name else []
 
+    def _is_step(self, tested: tuple[str, str]) -> bool:
+        """True if a comparison is that of a variable with one of several numbers that it gets."""
+        return len({value for _, value in self._sites.get(tested[0], ()) if _is_number(value)}) > 2
+
+    def _without(self, step: tuple[str, str], q: int) -> str:
+        """Return in words what would have led on from a step before a branch in it does."""
+        found: dict[str, None] = {}
+        for p, _ in self._sites[step[0]][:MAX_SITES]:
+            outer = self._guards[p][0][0] if len(self._guards[p]) == 1 else -1
+            if outer >= 0 and outer != q and self._tested(self._guards[outer]) == step:
+                found |= dict.fromkeys(each.words for each in self._of(p) if each.rank == DIRECT)
+        return f" without {' or '.join(found)}" if found else ""
+
     def _assigned(self, name: str, sign: str, right: str, q: int, statement: Statement) -> Iterator[Reason]:
         """Yield why a variable compares so: why it is assigned, what is counted, or what is read."""
         sites = self._assignments(name)
@@ -367,9 +391,15 @@ class Reasons:
             return
         numbers = [(p, value) for p, value in sites if _is_number(value)]
         is_flag = sum(float(value) != 0.0 for _, value in numbers) == 1
-        # What holds at 0, as at the start, has no reason.
-        for p, value in numbers if _is_number(right) and not _holds(0.0, sign, right) else ():
-            if _holds(value, sign, right):
+        holding = [(p, _holds(value, sign, right)) for p, value in numbers] if _is_number(right) else []
+        # What holds at 0, as at the start, has a reason only behind what has made it not hold.
+        is_start = bool(holding) and _holds(0.0, sign, right)
+        others = [p for p, holds in holding if not holds]
+        ends = {each.words for p in others if p != q for each in self._of(p) if each.rank == DIRECT}
+        if is_start and len(ends) == 1 and not any(holds and p > min(others) for p, holds in holding):
+            yield Reason(f"without {min(ends)}", statement.line)
+        for p, holds in holding:
+            if holds and not (is_start and not any(other < p < q for other in others)):
                 yield from (
                     each if is_flag else each._replace(rank=min(each.rank, THROUGH)) for each in self._of(p)
                 )
@@ -420,9 +450,7 @@ class Reasons:
     def _tested(self, guards: Sequence[Guard]) -> tuple[str, str]:
         """Return the name and the number that a single guard tests, such as a step, "" for anything else."""
         statement = self._statement(guards[0][0]) if len(guards) == 1 and guards[0][1] else None
-        left, sign, right = _binary(_condition(statement)) if statement is not None else ("", "", "")
-        left, right = (right, left) if _is_number(left) else (left, right)
-        return (left[1:], right) if sign == "=" and left.startswith("~") else ("", "")
+        return _compared_with(_condition(statement)) if statement is not None else ("", "")
 
     # -------------------------------------------------------------------------------------------------- channels
 
@@ -462,11 +490,21 @@ class Reasons:
 def _condition(statement: Statement) -> str:
     """Return the condition of a statement as a form, "" if it has none."""
     head, _, form = statement.form.partition(" ")
-    case = re.fullmatch(r"\(CaseTest None (\S+) (\S+)\)", form)
-    if case is not None:
-        return f"(~{statement.condition.split(' is ')[0].lower()} {case[1]} {case[2]})"
+    cases = _CASE.findall(form)
+    if cases and len(cases) == form.count("CaseTest"):
+        name = statement.condition.split(" is ")[0].lower()
+        return reduce(
+            lambda tests, test: f"({tests} Or {test})", (f"(~{name} {' '.join(each)})" for each in cases)
+        )
     form = form if head == "Pause" else form[1:-1] if head in ("If", "While", "Until") else ""
     return f"Unary Not {form}" if head == "Until" else form
+
+
+def _compared_with(form: str) -> tuple[str, str]:
+    """Return the name and the number that a form compares for equality, "" for anything else."""
+    left, sign, right = _binary(form)
+    left, right = (right, left) if _is_number(left) else (left, right)
+    return (left[1:], right) if sign == "=" and left.startswith("~") else ("", "")
 
 
 def _quoted(statement: Statement, side: bool) -> Reason:

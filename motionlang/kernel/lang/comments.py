@@ -33,8 +33,8 @@ from motionlang.kernel.source import Source
 
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
-    "input": r"d?i|x(?=\d)|i/?p|in(?:p(?:ut)?)?s?x?|din",
-    "output": r"d?[oq]|y(?=\d)|o/?p|out(?:p(?:ut)?)?s?x?|dout",
+    "input": r"d?i|[ex](?=\d)|i/?p|in(?:p(?:ut)?)?s?x?|din",
+    "output": r"d?[oq]|y(?=\d)|rly|relays?|o/?p|out(?:p(?:ut)?)?s?x?|dout",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|i/o",
     "analogue input": r"a(?=\d)|a/d|adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
@@ -55,14 +55,15 @@ _REVERSED = re.compile(
 _UNIT = "(?:mm|s|ms|sec(?:ond)?s?|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A|%)"
 # A number behind a word, two blanks, a sign or one blank, with the sign and the letter behind it: "IN 0 -", "OUT(0) =".
 _ITEM = re.compile(
-    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:/]\s))|(?<=\s))(?:{_KIND})(?(starts)[ .:#=(]*|[.:#=(]* ?)"
-    r"|(?P<wide>^\s*|(?<!\s)\s\s+)|(?P<sign>[,;|*]\s*|[./]\s)|\s)(?P<number>\d{1,3})"
+    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:/]\s))|(?<=\s))(?:{_KIND})(?: ch(?=[ .#]*\d))?"
+    r"(?(starts)[ .:#=(]*|[.:#=(]* ?)"
+    r"|(?P<wide>^\s*|(?<!\s)\s\s+)#?|(?P<sign>[,;|*]\s*|[./]\s)|\s)(?P<number>\d{1,3})"
     rf"(?:\)?\s*(?P<equal>=)\s*|\)?\s*(?:[-:|]|\.+)\s*|\)?\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[A-Za-z])?",
     re.IGNORECASE,
 )
 # Where the name ends: at two blanks, a sign, a bracket, a number with a unit, a range, or the value of a number.
 _END = re.compile(
-    rf"\s{{2,}}|[,;|*(]|(?<=\w\w)[.:](?:\s|$)|\s-\s+(?=\w)|(?:\s+in)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
+    rf"\s{{2,}}|[,;|*(]|(?<=\w\w)(?:\.(?:\s|$)|:(?=\s*(?:\d|$)))|\s-\s+(?=\w)|(?:\s+in)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
     r"|(?:\s+in)?\s+(?:mm|deg|rpm|%)(?=\s*(?:[,;.]|\s\s|$))"
     r"|\s+(?=\d{1,3}(?:\s*=|-\d))",
     re.IGNORECASE,
@@ -70,6 +71,7 @@ _END = re.compile(
 # Words at the begin of a sentence, and those that only a sentence has: it is no name. "Cup is down" is a sensor's.
 _SENTENCE = re.compile(
     r"(?:and|as|at|by|for|from|has|if|of|only|or|to|until|wait|when|while|with)\b|.*\b(?:are|be|let|must|was)\b"
+    r"|ax(?:is)? ?\d"
     r"|(?!\w.*\sis\s\w+$).*\bis\b",
     re.IGNORECASE,
 )
@@ -262,6 +264,13 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
                 (line, at, Named(kind, number, name, line)) for at, kind, number, name in _reversed(text)
             )
     named = [one for each in lists.all for one in _named(each, language.has_one_series)]
+    # In German an input is E0 (Eingang), and an output A0 (Ausgang).
+    if any(item.kind and item.text[item.start].upper() == "E" for item, *_ in named):
+        letters = (item.text[item.start : item.at].strip().upper() == "A" for item, *_ in named)
+        named = [
+            (item, "output" if is_a else kind, text)
+            for (item, kind, text), is_a in zip(named, letters, strict=True)
+        ]
     found += (
         (item.line, item.at, Named(kind, item.number, text, item.line))
         for item, kind, text in _without_values(named)
@@ -326,7 +335,7 @@ def _items(line: int, text: str, filled: Collection[int]) -> list[_Item]:
         begin = match.start("name") if match["name"] else len(text)
         number, has_equal = int(match["number"]), match["equal"] is not None
         found.append(_Item(line, text, start, at, begin, number, kind, begins_cell, is_loose, has_equal))
-    if not any(each.kind for each in found) and outside[: found[0].at if found else 0].strip():
+    if not any(each.kind for each in found) and outside[: found[0].at if found else 0].strip(" #"):
         return []
     end = len(text)
     for item in reversed(found):

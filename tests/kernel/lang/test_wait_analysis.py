@@ -190,13 +190,13 @@ def test_loops_of_gotos_that_overlap_are_one() -> None:
         # A macro that it leaves for, and that does not come back.
         ("MD1,NO\nMD2,IN5,MJ1,NO,JR-3\nMC2", "JR-3", {("input", 5)}, {("input", 5)}, {2}, "channel 5 on"),
         # What comes into the accumulator is tested, also in a macro that the loop calls.
-        ("RA9,IB5,JP0,NO", "JP0", set(), set(), {1}, "accumulator < 5"),
-        ("GA2,IB5,JP0,NO", "JP0", {("analogue", 2)}, {("analogue", 2)}, {1}, "accumulator < 5"),
+        ("RA9,IB5,JP0,NO", "JP0", set(), set(), {1}, "register 9 < 5"),
+        ("GA2,IB5,JP0,NO", "JP0", {("analogue", 2)}, {("analogue", 2)}, {1}, "analogue input 2 < 5"),
         ("1RL@20,IB5,JP0,NO", "JP0", {("position", 1)}, {("position", 1)}, {1}, "accumulator < 5"),
         ("2GX,IS5,JP0,NO", "JP0", {("axis", 2)}, {("axis", 2)}, {1}, "bit 5 set"),
         ("MD3,GA2\nMC3,IB5,JP0,NO", "JP0", {("analogue", 2)}, {("analogue", 2)}, {1, 2}, "accumulator < 5"),
         # Registers from 10 on are those of all tasks.
-        ("MD1,AL1,AR20\nGT1\nRA20,IB1,JP0,NO", "JP0", {("task", None)}, {("task", None)}, {3}, "accumulator < 1"),
+        ("MD1,AL1,AR20\nGT1\nRA20,IB1,JP0,NO", "JP0", {("task", None)}, {("task", None)}, {3}, "register 20 < 1"),
         # A macro that the loop calls belongs to it; one that it does not know does not.
         ("MD3,IN5,NO\nNO\nMC3,MC4,RP", "RP", set(), {("input", 5)}, {1, 3}, ""),
         ("MD3,IN5,NO\nMC@3,RP", "RP", set(), set(), {2}, ""),

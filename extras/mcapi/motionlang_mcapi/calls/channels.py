@@ -68,7 +68,7 @@ def configuration(interface: Interface, channel: int) -> int:
     _checked(channel)
     board = interface.board
     direction = mc.MC_DIO_OUTPUT if channel in board.outputs else mc.MC_DIO_INPUT
-    return direction | (mc.MC_DIO_LOW if channel in board.low_true else mc.MC_DIO_HIGH)
+    return direction | (mc.MC_DIO_LOW if channel in board.controller.inputs.active_low else mc.MC_DIO_HIGH)
 
 
 @query("MCGetAnalog", "MCGetAnalogEx")

@@ -75,7 +75,7 @@ def is_channel_active(board: Board, axis: AxisState, name: str) -> bool:
     channel = channel_of(axis.number, name)
     if not board.is_driven(channel):
         return False
-    on = (board.controller.input(channel) != 0) is not (channel in board.low_true)
+    on = (board.controller.input(channel) != 0) is not (channel in board.controller.inputs.active_low)
     if name.startswith("limit"):
         return on is not bool(axis.limit_mode & INVERTED)
     return on

@@ -33,7 +33,7 @@ def is_on(board: Board, channel: int) -> bool:
     """
     controller = board.controller
     level = controller.output(channel) if channel in board.outputs else controller.input(channel)
-    return (level != 0) is not (channel in board.low_true)
+    return (level != 0) is not (channel in board.controller.inputs.active_low)
 
 
 # They count their own effect: only a changed channel is an effect.
@@ -57,13 +57,15 @@ def channel_output(task: CommandTask, command: Command) -> None:
 
 def channel_high(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
-    task.board.low_true.discard(channel)
+    inputs = task.board.controller.inputs
+    inputs.set_active_low(inputs.active_low - {channel})
     task.board.inputs.check(channel)
 
 
 def channel_low(task: CommandTask, command: Command) -> None:
     channel = task.whole(command)
-    task.board.low_true.add(channel)
+    inputs = task.board.controller.inputs
+    inputs.set_active_low(inputs.active_low | {channel})
     task.board.inputs.check(channel)
 
 
@@ -130,7 +132,7 @@ def _switch(task: CommandTask, command: Command, on: bool) -> None:
         as_outputs = f"; it is one on {others}: controller.model in the machine file" if others else ""
         hint = f"CT{channel} makes it an output{as_outputs}"
         raise Fault(codes.PARAMETER, f"channel {channel} is an input", hint, "read-only")
-    if board.controller.set_output(channel, int(on is not (channel in board.low_true))):
+    if board.controller.set_output(channel, int(on is not (channel in board.controller.inputs.active_low))):
         board.effects += 1
     else:
         board.rewrites += 1

@@ -85,7 +85,6 @@ class Board:
         self.seeks: dict[int, Seek] = {}
         self.breakpoints: dict[int, Watch] = {}
         self.contours: dict[int, Contour] = {}
-        self.low_true: set[int] = set()
         self.outputs: set[int] = set()
         self.joysticks = Joysticks(self)
         self.limits = {axis.number: AxisLimits(self, axis) for axis in self.all_axes}
@@ -103,7 +102,7 @@ class Board:
         self.prompt, self.echo = self.model.prompt, self.model.echo
         self.xon, self.xoff = 17, 19
         self.outputs = set(self.model.outputs)
-        self.low_true = set()
+        self.controller.inputs.set_active_low(())
         self.points.clear()
         for number in list(self.background):
             self.end_task(number)
