@@ -105,8 +105,10 @@ def _alarms(
     """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
     found: dict[tuple[bool, object], tuple[dict[str, None], list[str], list[Statement]]] = {}
     for each in (each for at, each in sorted(structure.statements.items()) if reasons.knows(at)):
-        causes = reasons.of(each.at)
         written = [use for use in each.channels if use.access == WRITE]
+        causes = reasons.of(each.at) or [
+            Reason(f"`{use.value}`", each.line) for use in written if " " in use.value
+        ]
         lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
         is_on = any(use.value.lower() not in _OFF for use in written)
         is_question = any(use.channel == "answer" for use in each.channels)
@@ -118,6 +120,7 @@ def _alarms(
         is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
         is_left = is_told and each.at not in exploration.world.cycle.begun
         is_trouble = is_number or bool(lamps) or is_wrong(" ".join(texts))
+        causes = causes or (reasons.waited(each.at) if is_trouble else [])
         if texts and (is_trouble or is_left):
             what = [repr(" ... ".join(texts) + " ..." * bool(values))]
         else:

@@ -64,8 +64,12 @@ class Reasons:
 
     def __init__(self, structure: Structure, names: ReaderNames, low: Collection[int]) -> None:
         self._structure, self._names, self._low = structure, names, low
+        # What begins by itself: the program, tasks, handlers, and macros that are started as tasks.
+        started = {each for statement in structure.statements.values() for each in statement.starts}
         self._roots = {
-            ~unit.entry: unit for unit in structure.units if unit.kind in ("program", "task", "event")
+            ~unit.entry: unit
+            for unit in structure.units
+            if unit.kind in ("program", "task", "event") or unit.title in started
         }
         self._loops = {structure.points[p].at for p in structure.graph.closing}
         self._guards: dict[int, tuple[Guard, ...]] = {}
@@ -124,9 +128,12 @@ class Reasons:
                 self._waits[p] = p
             elif len(ways[p]) == 1 and ways[p][0] in self._waits:
                 self._waits[p] = self._waits[ways[p][0]]
+            # A wait that goes on by itself, as for the end of a move, decides nothing.
+            waits = statement is not None and not statement.condition and bool(statement.waits)
+            decides = point.branches and not waits
             for k, after in enumerate(point.next):
                 if place[after] > place[p]:
-                    came[after] |= dict.fromkeys([(p, k == 0)] if point.branches else self._guards[p])
+                    came[after] |= dict.fromkeys([(p, k == 0)] if decides else self._guards[p])
                     ways[after].append(p)
             if place.get(point.calls, -1) > place[p]:
                 came[point.calls] |= dict.fromkeys(self._guards[p])
@@ -178,6 +185,12 @@ class Reasons:
     def of(self, at: int) -> list[Reason]:
         """Return why the program comes to a statement; none if it always does."""
         return self._of(self._first[at])
+
+    def waited(self, at: int) -> list[Reason]:
+        """Return what the program has waited for before a statement, none if there is no wait, or another way."""
+        p = self._waits.get(self._first[at], -1)
+        statement = self._statement(p)
+        return self._test(p, bool(statement.waits)) if statement is not None else []
 
     def values(self, name: str) -> dict[str, list[Reason]]:
         """Return the numbers but 0 that the program gives a variable, with the reasons of each."""
