@@ -222,9 +222,10 @@ class Exploration:
     def cut_off(self) -> dict[Change, set[int]]:
         """Return the changes in the middle of a move that cut off moves, with the lines of these moves.
 
-        A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out.
+        A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out. So is a
+        change that has only done so beside another one that does.
         """
-        usual, done = set[int](), set[int]()
+        usual, done, alone = set[int](), set[int](), set[Change]()
         found: dict[Change, set[int]] = defaultdict(set)
         for each in (each for node in self.nodes for each in node.transitions):
             cut = {line for line, ended in each.does.moves if ended}
@@ -234,7 +235,12 @@ class Exploration:
             for one in changes:
                 found[one._replace(prompt="", moment=AT_REST)] |= cut
         usual -= done
-        return {one: cut - usual for one, cut in found.items() if cut - usual}
+        found = {one: cut - usual for one, cut in found.items() if cut - usual}
+        for each in (each for node in self.nodes for each in node.transitions):
+            made = {one._replace(prompt="", moment=AT_REST) for one in each.causes} & found.keys()
+            is_alone = len({one.channel for one in made}) == 1
+            alone |= made if is_alone and any(ended for _, ended in each.does.moves) else set()
+        return {one: cut for one, cut in found.items() if one in alone}
 
     def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
         """Return what the tasks that work do in a trial from a time on, in order."""
