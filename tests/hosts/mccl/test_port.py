@@ -1,4 +1,4 @@
-"""The board's ASCII interface, character by character, as its clients use it."""
+"""The board's ASCII interface, where a session of `sessions_mccl.txt` cannot show it: limits, and inside."""
 
 from __future__ import annotations
 
@@ -9,11 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from motionlang.commands.check import check
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mccl.port import Port
 from motionlang.kernel import Machine, Source
-from motionlang.kernel.mccl import DIALECT as MCCL
 from tests.cases import examples
 
 
@@ -32,121 +30,11 @@ def ask(console: Console, port: Port, sent: bytes) -> bytes:
     return port.take()
 
 
-def mx_command(console: Console, port: Port, text: str) -> str:
-    """Send a command and CR like the beam-line driver; return the line that follows.
-
-    A leading prompt is removed; an answer with `?` raises ValueError.
-    """
-    reply = ask(console, port, text.encode() + b"\r")
-    line, end, rest = reply.partition(b"\n")
-    assert end
-    assert rest in (b"", b">")
-    answer = line.removeprefix(b">").removesuffix(b"\r").decode()
-    if answer.startswith("?"):
-        raise ValueError(int(answer[1:]))
-    return answer
-
-
-def test_every_command_is_answered_with_a_line() -> None:
-    console, port = board()
-    assert ask(console, port, b"1SA70000.000000\r") == b"\n>"
-    assert ask(console, port, b"1TP\r") == b"01 0\n>"
-    assert ask(console, port, b"\r") == b"\n>"
-
-
-def test_the_sequence_of_the_beam_line_driver() -> None:
-    console, port = board()
-    assert mx_command(console, port, "1SV11000.000000") == ""
-    mx_command(console, port, "MD1,1MN,1MR1000,1WS0.1")
-    assert mx_command(console, port, "GT1,TR0") == "1"
-    with pytest.raises(ValueError, match="1"):
-        mx_command(console, port, "1XX")
-    with pytest.raises(ValueError, match="-6"):
-        mx_command(console, port, "MC9")
-
-
-def test_the_sequence_of_the_self_test() -> None:
-    """The self-test reads once for the value and a second time for the prompt."""
-    console, port = board()
-    assert ask(console, port, b"TC1\r").split(b"\n") == [b"01 0", b">"]
-
-
-def test_line_ends() -> None:
-    console, port = board()
-    assert ask(console, port, b"1TP\n") == b"01 0\n>"
-    assert ask(console, port, b"1TP\r\n") == b"01 0\n>"
-    assert ask(console, port, b"1TP\r2TP\r") == b"01 0\n>02 0\n>"
-    old, port = board("dcx-at200")
-    assert ask(old, port, b"1TP\r") == b"01 0\r>"
-    oldest, port = board("dcx-pc100")
-    assert ask(oldest, port, b"1TP\r") == b"01 0\r"
-
-
-def test_echo_and_backspace() -> None:
-    console, port = board(echo=None)
-    assert ask(console, port, b"1TX\x08P\r") == b"1TX\b \bP\n01 0\n>"
-    assert ask(console, port, b"EF\r") == b"EF\n>"
-    assert ask(console, port, b"1TP\r") == b"01 0\n>"
-    assert ask(console, port, b"\x08\x7f1TP\r") == b"01 0\n>"
-
-
-def test_escape_aborts_a_wait_and_the_line() -> None:
-    console, port = board()
-    port.feed(b"1MN,1VM,1GO,WA100,1TP\r")
-    console.run(1.0)
-    assert port.busy
-    assert ask(console, port, b"\x1b") == b"?-7\n>"
-    assert not port.busy
-    # The motion does not belong to the line.
-    assert console.machine.controller.velocity(1) == 40000.0
-    assert ask(console, port, b"TE\r") == b"-7\n>"
-
-
-def test_escape_at_the_prompt_clears_the_line() -> None:
-    console, port = board()
-    assert ask(console, port, b"1MR\x1b\x1b1TP\r") == b"\n>\n>01 0\n>"
-
-
-def test_a_blank_pauses_a_busy_port() -> None:
-    console, port = board()
-    port.feed(b"AA1,WA0.1,RP\r")
-    console.run(1.05)
-    port.feed(b" ")
-    console.run(5.0)
-    paused_at = port.task.registers[0]
-    assert paused_at == 11
-    port.feed(b" ")
-    console.run(6.0)
-    assert port.task.registers[0] > paused_at
-    assert ask(console, port, b"\x1b") == b"?-7\n>"
-
-
 def test_other_characters_wait_until_the_port_is_idle() -> None:
     console, port = board()
-    assert ask(console, port, b"WA1,1TP\r2TP\r") == b"01 0\n>02 0\n>"
     port.feed(b"WA1\r")
     taken = port.feed(b"1TP," * 2000)
     assert taken == 4096
-
-
-def test_single_steps() -> None:
-    console, port = board()
-    assert ask(console, port, b"\x02") == b""
-    assert ask(console, port, b"AL1,AA2,TR0\r") == b"{ C0,AL1 } <"
-    assert ask(console, port, b"x") == b"{ C1,AA2 } <"
-    assert ask(console, port, b"x") == b"{ C2,TR0 } <"
-    assert ask(console, port, b"x") == b"3\n>"
-    assert ask(console, port, b"AL9,TR0\r") == b"{ C0,AL9 } <"
-    assert ask(console, port, b"\x1b") == b"?-7\n>"
-    assert ask(console, port, b"TR0\r") == b"3\n>"
-
-
-def test_xoff_holds_the_output() -> None:
-    console, port = board()
-    assert ask(console, port, b"\x131TP\r") == b""
-    assert ask(console, port, b"\x11") == b"01 0\n>"
-    assert ask(console, port, b"\x131TP\r") == b""
-    assert ask(console, port, b"\x1b") == b"01 0\n>\n>"
 
 
 def test_too_long_a_line() -> None:
@@ -163,35 +51,6 @@ def test_a_host_that_does_not_read_holds_the_board_up_and_not_the_memory() -> No
     assert port.busy
 
 
-def test_ports_share_the_board_and_not_the_first_ten_registers() -> None:
-    console, first = board()
-    second = console.open(echo=False)
-    second.take()
-    ask(console, first, b"AL5,AR1,AR20\r")
-    assert ask(console, second, b"TR1,TR20\r") == b"0\n5\n>"
-
-
-def test_a_host_that_vanishes_in_mid_line() -> None:
-    """The line is abandoned; motion, background tasks and other hosts continue."""
-    console, port = board()
-    other = console.open(echo=False)
-    other.take()
-    port.feed(b"MD1,WA1,AL9,AR20\r")
-    port.feed(b"1MN,1MR100000,GT1,WA5,1AB\r1MR")
-    console.run(0.5)
-    console.close(port)
-    console.run(10.0)
-    assert ask(console, other, b"1TP,TR20\r") == b"01 100000\n9\n>"
-
-
-def test_a_task_that_polls_does_not_hold_others_up() -> None:
-    console, port = board()
-    ask(console, port, b"MD1,IF33,MJ1,NO,AL7,AR20\r")
-    ask(console, port, b"GT1\r")
-    console.run(3600.0)
-    assert ask(console, port, b"CN33,WA0.1,TR20\r") == b"7\n>"
-
-
 @settings(max_examples=examples(150))
 @given(st.lists(st.binary(max_size=40), max_size=8))
 def test_any_characters(sent: list[bytes]) -> None:
@@ -205,11 +64,6 @@ def test_any_characters(sent: list[bytes]) -> None:
     port.feed(b"\x11\x1b")
     port.take()
     assert b"01 0" in ask(console, port, b"RT\r1TP\r") or not port.board.prompt
-
-
-def test_a_blank_in_a_line_that_was_sent_ahead_is_no_pause() -> None:
-    console, port = board()
-    assert ask(console, port, b"1TP\r1TP 2TP\r") == b"01 0\n>01 0\n02 0\n>"
 
 
 def test_a_port_that_waits_for_a_key_is_not_working() -> None:
@@ -233,11 +87,6 @@ def test_a_board_works_as_long_as_a_file_is_downloaded() -> None:
     assert console.settle()
     assert not console.working
     assert "".join(printed) == "01 0\n"
-
-
-def test_the_name_of_an_unknown_command_is_reported_in_capitals() -> None:
-    (found,) = check(MCCL.program(Source("zz.mcl", "1zz\n"), {}))
-    assert found.message.startswith("there is no command ZZ ")
 
 
 def test_what_background_tasks_say_to_a_host_that_does_not_read_is_lost_in_the_end() -> None:
@@ -377,32 +226,6 @@ def test_output_is_lost_from_half_a_million_characters_on() -> None:
     port.send("yz")
     port.send("lost")
     assert port.take()[-3:] == b"xyz"
-
-
-@pytest.mark.parametrize(
-    ("sent", "prompt"),
-    [("PC62", b">"), ("PC0", b""), ("PC31", b""), ("PC32", b" "), ("PC33", b"!"), ("PC126", b"~")],
-)
-def test_the_prompt_is_a_printable_character(sent: str, prompt: bytes) -> None:
-    console, port = board()
-    assert ask(console, port, sent.encode() + b"\r") == b"\n" + prompt
-
-
-def test_echo_is_switched_off_and_on_again() -> None:
-    console, port = board(echo=None)
-    assert ask(console, port, b"EF\r") == b"EF\n>"
-    assert ask(console, port, b"EN\r") == b"\n>"
-    assert ask(console, port, b"1TP\r") == b"1TP\n01 0\n>"
-
-
-def test_codes_of_flow_control() -> None:
-    """XF and XN choose them, and 0 is none: NUL is an ordinary character then."""
-    console, port = board()
-    assert ask(console, port, b"XF65,XN66\r") == b"\n>"
-    assert ask(console, port, b"A1TP\r") == b""
-    assert ask(console, port, b"B") == b"01 0\n>"
-    assert ask(console, port, b"XF0,XN0\r") == b"\n>"
-    assert ask(console, port, b"\x00\x131TP\r")[-5:] == b"1 0\n>"
 
 
 def test_a_line_of_4096_characters_waits_and_no_more() -> None:

@@ -87,30 +87,6 @@ def test_a_frame_that_is_cut_off_does_not_swallow_the_next_one() -> None:
     assert line.ask(b"\x0400\x020112\x05") == "Break\nP>"
 
 
-def test_writes_raise_the_events_of_the_product() -> None:
-    """A NextMove ESB-2 raises COMMS1 to COMMS5 on every write."""
-    handlers = "".join(f"Event COMMS{n}\n  Print {n}\nEnd Event\n" for n in (1, 5, 6))
-    line = Line(f"Loop\n  Wait = 10\nEnd Loop\n{handlers}")
-    for element in (1, 1, 5, 6):
-        line.send(write_frame(element, "1"))
-        line.run(0.02)
-    assert line.received() == f"{ACK}1\n{ACK}1\n{ACK}5\n{ACK}"
-
-
-def test_a_loop_that_polls_an_element_sees_it_change() -> None:
-    line = Line('While COMMS(7) < 3\nWend\nPrint "three"')
-    line.run(1.0)
-    assert line.ask(write_frame(7, "3")) == ACK
-    line.run(0.01)
-    assert line.received() == "three\nP>"
-
-
-def test_the_text_of_a_number_is_that_of_print_on_the_controller() -> None:
-    line = Line(model="NextMove BX")  # Mint v4 drops zeros at the end
-    line.send(write_frame(4, "2.50"))
-    assert line.ask(read_frame(4)) == answer_frame(4, "2.5").decode()
-
-
 def test_any_bytes_leave_a_line_that_works() -> None:
     random_bytes = random.Random(33)
     line = Line("Loop\n  Wait = 1\nEnd Loop")
