@@ -1,4 +1,4 @@
-"""Tables of the state machine, refusals, switches and wrapped positions; `sessions.txt` has the motion of each mode.
+"""Tables of the state machine, refusals, switches and wrapped positions; `modes.txt` has the motion of each mode.
 
 Speeds are written in 0.1 counts/s and rates in 10 counts/s². At power-up they are 10 000 counts/s and
 100 000 counts/s², so a ramp takes 0.1 s and 500 counts.

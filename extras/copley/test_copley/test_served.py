@@ -31,11 +31,6 @@ PATIENCE = 30.0
 FROM_DRIVES: Any = [{"can_id": 0x080, "can_mask": 0x080}, {"can_id": 0x700, "can_mask": 0x780}]
 
 
-def emergencies(frames: list[tuple[int, bytes]]) -> list[bytes]:
-    """Return the codes of the EMCY messages of drive 1, low byte first."""
-    return [data[:2] for can_id, data in frames if can_id == 0x81]
-
-
 @pytest.fixture
 def bus() -> Iterator[Bus]:
     """Yield a bus; no frame may be dropped on it."""
@@ -43,42 +38,6 @@ def bus() -> Iterator[Bus]:
     yield made
     made.close()
     assert made.complaints == []
-
-
-def test_boot_up_and_reset(bus: Bus) -> None:
-    assert bus.frames() == [(0x701, b"\0"), (0x702, b"\0")]
-    bus.send(0, 130, 2)
-    assert bus.until(0.05) == [(0x702, b"\0")]
-
-
-def test_the_heartbeat_has_its_period_and_the_state(bus: Bus) -> None:
-    """Its period is 50 ms from the write on; 127 is pre-operational, 5 operational."""
-    bus.until(0.01)
-    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
-    assert bus.until(0.111) == [(0x701, b"\x7f")] * 2
-    bus.send(0, 1, 1)
-    assert (0x701, b"\5") in bus.until(0.161)
-
-
-def test_the_objects_of_cia_301(bus: Bus) -> None:
-    assert bus.ask(1, 0x40, 0x00, 0x10)[4:] == bytes([0x92, 0x01, 0x02, 0x00])
-    assert bus.ask(1, 0x40, 0x01, 0x10)[4] == 0
-    assert bus.ask(2, 0x40, 0x18, 0x10, 4)[4:] == bytes([2, 0, 0, 0])
-    assert bus.ask(2, 0x40, 0x14, 0x10)[4:] == bytes([0x82, 0, 0, 0])
-    assert bus.ask(1, 0x40, 0x02, 0x65)[4:] == bytes([0x65, 0, 0, 0])
-    assert bus.ask(1, 0x40, 0xC2, 0x60, 2)[4] == 0xFD  # -3
-    # 0x80 rejects: no such object 0x06020000, and a mode that is not simulated 0x06090030.
-    assert bus.ask(1, 0x40, 0x99, 0x20) == bytes([0x80, 0x99, 0x20, 0, 0, 0, 0x02, 0x06])
-    assert bus.ask(1, 0x2F, 0x60, 0x60, 0, 4) == bytes([0x80, 0x60, 0x60, 0, 0x30, 0, 0x09, 0x06])
-
-
-def test_the_default_pdos_carry_the_control_and_the_status_word(bus: Bus) -> None:
-    bus.until(0.01)
-    bus.send(0, 1, 1)
-    assert bus.until(0.02) == [(0x181, b"\x50\x06")]
-    bus.send(0x201, 6, 0)
-    assert bus.until(0.03) == [(0x181, b"\x31\x06")]
-    assert bus.until(0.23) == [(0x181, b"\x31\x06")] * 2  # every 100 ms, for a master that listens late
 
 
 def test_the_next_event_of_an_operational_drive_is_its_status(bus: Bus) -> None:
@@ -91,182 +50,10 @@ def test_the_next_event_of_an_operational_drive_is_its_status(bus: Bus) -> None:
     assert [node.next_time() for node in bus.server.nodes] == pytest.approx([0.101, inf])
 
 
-def test_a_change_is_sent_in_the_next_millisecond(bus: Bus) -> None:
-    """However many frames arrive, PDOs are sent once in a millisecond."""
-    bus.send(0, 1, 1)
-    bus.until(0.01)
-    for bus.time in (0.0103, 0.0106, 0.0109):
-        bus.send(0x201, 6, 0)
-    assert bus.frames() == []
-    assert bus.until(0.011) == [(0x181, b"\x31\x06")]
-
-
-def test_pdos_wait_for_operational(bus: Bus) -> None:
-    bus.send(0x201, 6, 0)
-    assert bus.until(0.3)[2:] == []
-    assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
-
-
-def test_a_stopped_node_answers_nothing(bus: Bus) -> None:
-    bus.send(0, 2, 1)
-    bus.frames()
-    bus.send(0x601, 0x40, 0x41, 0x60, 0, 0, 0, 0, 0)
-    bus.send(0x201, 6, 0)
-    assert bus.until(0.3) == []
-    bus.send(0, 128, 1)
-    assert bus.ask(1, 0x40, 0x41, 0x60)[4:6] == b"\x50\x06"
-
-
-def test_a_pdo_that_is_too_short_is_an_emergency(bus: Bus) -> None:
-    """The error is 8210; bits 0 and 4 of the error register are set."""
-    bus.send(0, 1, 1)
-    bus.frames()
-    bus.send(0x201, 6)
-    assert (0x81, b"\x10\x82\x11" + bytes(5)) in bus.frames()
-    assert bus.ask(1, 0x40, 0x01, 0x10)[4] == 0x11
-
-
-def test_a_master_that_dies_leaves_the_node_pre_operational(bus: Bus) -> None:
-    """Its heartbeat shows state 5, and 127 after the error; without object 0x1029, CiA 301 has no other behaviour."""
-    bus.send(0, 1, 1)
-    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50, 0)
-    bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
-    bus.send(0x77F, 5)
-    assert dict(bus.until(0.095))[0x701] == b"\x05"
-    assert dict(bus.until(0.2))[0x701] == b"\x7f"
-
-
-@pytest.mark.parametrize(
-    ("request_", "answer"),
-    [
-        # A threshold of 0, or below the size of the name, does not allow a normal upload.
-        ((0xA0, 0x08, 0x10, 0, 127, 0, 0, 0), "8008100001000405"),
-        ((0xA4, 0x08, 0x10, 0, 127, 23, 0, 0), "8008100001000405"),
-        ((0xA0, 0x08, 0x10, 0, 127, 24, 0, 0), "4108100018000000"),
-        ((0xA0, 0x01, 0x10, 0, 127, 1, 0, 0), "4f01100000000000"),
-        # The later steps of a block upload that was not begun.
-        ((0xA3, 0, 0, 0, 0, 0, 0, 0), "8000000001000405"),
-        ((0xA2, 5, 127, 0, 0, 0, 0, 0), "80057f0001000405"),
-        # An object that the drive does not have.
-        ((0xA0, 0xFF, 0x5F, 0, 127, 0, 0, 0), "80ff5f0000000206"),
-    ],
-)
-def test_a_block_upload_becomes_a_normal_one_if_its_threshold_allows_it(
-    request_: tuple[int, ...], answer: str, bus: Bus
-) -> None:
-    assert bus.ask(1, *request_).hex() == answer
-
-
-def test_a_master_that_dies_trips_the_drive(bus: Bus) -> None:
-    """Object 0x1016:1 requires a heartbeat of node 0x7F at least every 100 ms.
-
-    The last one arrives at 0.39 s.
-    """
-    bus.send(0, 1, 1)
-    bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
-    assert bus.until(0.3) != []
-    bus.send(0x77F, 5)
-    bus.until(0.39)
-    bus.send(0x77F, 5)
-    assert 0x81 not in dict(bus.until(0.4895))
-    assert dict(bus.until(0.49))[0x81] == b"\x30\x81\x11" + bytes(5)
-    assert bus.ask(1, 0x40, 0x41, 0x60)[4] & 0x4F == 0x08
-    bus.send(0, 1, 1)
-    bus.send(0x201, 0x80, 0)
-    assert dict(bus.until(0.7))[0x81] == bytes(8)
-
-
-def test_a_fault_reset_clears_the_error_of_a_homing(bus: Bus) -> None:
-    """Method 0 is none. Bit 7 of the control word acknowledges the error."""
-    bus.send(0, 1, 1)
-    bus.ask(1, 0x2F, 0x60, 0x60, 0, 6)
-    bus.ask(1, 0x2F, 0x98, 0x60, 0, 0)
-    for word in (0x06, 0x07, 0x0F):
-        bus.send(0x201, word, 0)
-    assert 0x81 not in dict(bus.until(0.01))
-    bus.send(0x201, 0x1F, 0)
-    assert emergencies(bus.until(0.02)) == [b"\x02\xff"]
-    assert bus.ask(1, 0x40, 0x01, 0x10)[4] & 1 == 1
-    bus.send(0x201, 0x8F, 0)
-    assert emergencies(bus.until(0.03)) == [b"\0\0"]
-    assert (bus.ask(1, 0x40, 0x01, 0x10)[4], bus.ask(1, 0x40, 0x3F, 0x60)[4:6]) == (0, b"\0\0")
-    assert bus.complaints.pop() == "drive 1: homing failed: 0x6098 is 0, which selects no method"
-
-
-def test_the_error_of_a_limit_is_cleared_when_the_axis_leaves_it() -> None:
-    """The axis moves to 5000, is stopped at 1000, and moves to 0."""
-    bus = Bus(switches=[Switches(positive=1000.0)])
-    bus.send(0, 1, 1)
-    bus.ask(1, 0x2F, 0x60, 0x60, 0, 1)
-    bus.ask(1, 0x23, 0x7A, 0x60, 0, *(5000).to_bytes(4, "little"))
-    for word in (0x06, 0x07, 0x0F, 0x1F):
-        bus.send(0x201, word, 0)
-    assert emergencies(bus.until(1.0)) == [b"\x12\x86"]
-    bus.send(0x201, 0x8F, 0)  # the cause is still there
-    assert emergencies(bus.until(1.1)) == []
-    assert bus.ask(1, 0x40, 0x01, 0x10)[4] & 1 == 1
-    bus.ask(1, 0x23, 0x7A, 0x60)
-    bus.send(0x201, 0x0F, 0)
-    bus.send(0x201, 0x1F, 0)
-    assert emergencies(bus.until(1.2)) == [b"\0\0"]
-    assert (bus.ask(1, 0x40, 0x01, 0x10)[4], bus.ask(1, 0x40, 0x3F, 0x60)[4:6]) == (0, b"\0\0")
-    bus.close()
-    assert bus.complaints == ["drive 1: the positive limit switch has stopped the axis"]
-
-
-def test_a_synchronous_pdo_shows_the_position_at_the_sync(bus: Bus) -> None:
-    """PDO 3 has status word and position on every SYNC; the axis runs at 10 000/s."""
-    bus.ask(1, 0x2F, 0x02, 0x18, 2, 1)
-    bus.ask(1, 0x23, 0x02, 0x18, 1, 0x81, 0x03, 0, 0)
-    bus.send(0, 1, 1)
-    bus.ask(1, 0x2F, 0x60, 0x60, 0, 3)
-    for control in (6, 7, 15):
-        bus.send(0x201, control, 0)
-    bus.ask(1, 0x23, 0xFF, 0x60, 0, *(100_000).to_bytes(4, "little"))
-    positions = []
-    for k in range(1, 4):
-        bus.until(k * 0.1)
-        bus.send(0x80)
-        ((_, data),) = [each for each in bus.frames() if each[0] == 0x381]
-        positions.append(int.from_bytes(data[2:], "little"))
-    assert positions == [500, 1500, 2500]
-
-
-@pytest.mark.parametrize("objects", [0, 1])
-def test_a_pdo_without_objects_is_not_sent(objects: int, bus: Bus) -> None:
-    """The status word is mapped to transmit PDO 1 or not, and PDO 2 is disabled."""
-    bus.ask(1, 0x2F, 0x00, 0x1A, 0, objects)
-    bus.send(0, 1, 1)
-    assert bus.until(0.05) == [(0x181, b"\x50\x06")] * objects
-
-
-def test_each_drive_has_its_switches() -> None:
-    """Bit 0 of object 0x60FD is the negative limit switch, bit 1 the positive one.
-
-    The second of two drives has no switches if there are those of one.
-    """
-    for switches, inputs in (
-        ([Switches(negative=0.0)], [0b01, 0]),
-        ([Switches(negative=0.0), Switches(positive=0.0)], [0b01, 0b10]),
-    ):
-        bus = Bus(switches=switches)
-        assert [bus.ask(node, 0x40, 0xFD, 0x60)[4] for node in (1, 2)] == inputs
-        bus.close()
-
-
 def test_an_idle_server_is_on_time_after_a_day(bus: Bus) -> None:
     bus.time = 86_400.0
     bus.server.run_once()
     assert [node.now for node in bus.server.nodes] == [86_400.0] * 2
-
-
-def test_machine_time_is_a_multiple_of_real_time() -> None:
-    """At twice the speed, a heartbeat of 50 ms, set at 10 ms, arrives every 25 ms."""
-    bus = Bus(factor=2.0)
-    bus.until(0.01)
-    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
-    assert [bus.until(time) for time in (0.034, 0.036, 0.059, 0.061)] == [[], [(0x701, b"\x7f")]] * 2
-    bus.close()
 
 
 def test_how_long_a_server_waits_for_a_frame(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -340,137 +127,6 @@ def test_only_frames_of_masters_are_counted(bus: Bus) -> None:
     assert bus.server.frames == 5
 
 
-def test_a_reset_of_the_communication_keeps_the_motion_and_the_values(bus: Bus) -> None:
-    """Command 130 restores the objects of communication alone, 129 all of them."""
-    bus.ask(1, 0x2F, 0x60, 0x60, 0, 3)
-    for control in (6, 7, 15):
-        bus.ask(1, 0x2B, 0x40, 0x60, 0, control)
-    bus.ask(1, 0x23, 0xFF, 0x60, 0, *(100_000).to_bytes(4, "little"))
-    bus.ask(1, 0x2B, 0x17, 0x10, 0, 50)
-    bus.send(0, 130, 1)
-    frames = bus.until(0.5)
-    assert frames.count((0x701, b"\0")) == 1
-    assert (0x701, b"\x7f") not in frames
-    assert bus.ask(1, 0x40, 0x17, 0x10)[4:6] == bytes(2)
-    assert bus.ask(1, 0x40, 0x60, 0x60)[4] == 3
-    assert int.from_bytes(bus.ask(1, 0x40, 0x6C, 0x60)[4:], "little") == 100_000
-    bus.send(0, 129, 0)
-    bus.until(1.0)
-    assert bus.ask(1, 0x40, 0x60, 0x60)[4] == 0
-    assert int.from_bytes(bus.ask(1, 0x40, 0x6C, 0x60)[4:], "little") == 0
-
-
-def test_the_time_from_a_reset_to_the_boot_up_message(bus: Bus) -> None:
-    """It is 20 ms; other nodes do not take part."""
-    bus.until(0.01)
-    bus.send(0, 129, 1)
-    assert bus.until(0.0295) == []
-    assert bus.until(0.03) == [(0x701, b"\0")]
-
-
-def test_a_heartbeat_of_period_0_ends_it(bus: Bus) -> None:
-    bus.ask(1, 0x2B, 0x17, 0x10, 0, 20)
-    found = [bus.until(time) for time in (0.0195, 0.02, 0.0395, 0.04)]
-    assert found == [[], [(0x701, b"\x7f")], [], [(0x701, b"\x7f")]]
-    bus.ask(1, 0x2B, 0x17, 0x10, 0, 0)
-    assert bus.until(0.5) == []
-
-
-@pytest.mark.parametrize("value", [[0, 0, 0x7F, 0], [100, 0, 0, 0]], ids=["no time", "no node"])
-def test_a_heartbeat_is_expected_only_of_a_node_within_a_time(value: list[int], bus: Bus) -> None:
-    """Writing 0 for one of them ends the monitoring of node 7F."""
-    bus.ask(1, 0x23, 0x16, 0x10, 1, 100, 0, 0x7F, 0)
-    bus.send(0x77F, 5)
-    bus.ask(1, 0x23, 0x16, 0x10, 1, *value)
-    bus.send(0x77F, 5)
-    bus.send(0x701, 5)
-    assert 0x81 not in dict(bus.until(1.0))
-
-
-def test_a_drive_expects_no_heartbeat_until_it_is_configured(bus: Bus) -> None:
-    bus.send(0, 130, 0)
-    bus.until(0.1)
-    for node in (3, 0x7F, 1):
-        bus.send(0x700 + node, 5)
-    assert not {0x81, 0x82} & dict(bus.until(0.5)).keys()
-
-
-def test_a_pdo_may_have_another_identifier(bus: Bus) -> None:
-    """The first of each direction get 305 and 385 while they are off; 201 and 181 are no longer theirs."""
-    for record, low in ((0x18, 0x85), (0x14, 0x05)):
-        assert bus.ask(1, 0x23, 0x00, record, 1, low, 0x03, 0, 0)[4:] == (0x08000022).to_bytes(4, "little")
-        assert bus.ask(1, 0x23, 0x00, record, 1, low, 0x03, 0, 0x80)[0] == 0x60
-        assert bus.ask(1, 0x23, 0x00, record, 1, low, 0x03, 0, 0)[0] == 0x60
-    bus.send(0, 1, 1)
-    bus.send(0x201, 6, 0)
-    assert bus.until(0.01) == [(0x385, b"\x50\x06")]
-    bus.send(0x305, 6, 0)
-    assert bus.until(0.02) == [(0x385, b"\x31\x06")]
-
-
-def test_objects_of_the_communication_refuse_what_does_not_fit(bus: Bus) -> None:
-    """The heartbeat time has 16 bits, and the identity is read only."""
-    assert bus.ask(1, 0x2F, 0x17, 0x10, 0, 50)[4:] == (0x06070010).to_bytes(4, "little")
-    assert bus.ask(1, 0x23, 0x18, 0x10, 4, 1, 0, 0, 0)[4:] == (0x06010002).to_bytes(4, "little")
-    assert bus.ask(1, 0x2B, 0x60, 0x60, 0, 3, 0)[4:] == (0x06070010).to_bytes(4, "little")
-
-
-@pytest.mark.parametrize(
-    ("kind", "answer"),
-    [(0xF1, 0x80), (0xFB, 0x80), (0xFC, 0x80), (0xFD, 0x80), (0xFE, 0x60), (1, 0x60), (0xF0, 0x60)],
-)
-def test_the_types_of_a_pdo(kind: int, answer: int, bus: Bus) -> None:
-    """Types 241 to 251 are reserved, and a PDO is not sent on a remote frame (252 and 253)."""
-    refused = bus.ask(1, 0x2F, 0x01, 0x18, 2, kind)
-    assert refused[0] == answer
-    if answer == 0x80:
-        assert refused[4:] == (0x06090030).to_bytes(4, "little")
-    assert bus.ask(1, 0x2F, 0x01, 0x14, 2, kind)[0] == answer
-    assert [bus.ask(1, 0x2F, pdo, 0x18, 2, kind)[0] for pdo in (0, 3)] == [answer] * 2
-
-
-def test_a_synchronous_pdo_acts_at_a_sync(bus: Bus) -> None:
-    """PDO 2 has the control word and the mode of operation."""
-    assert bus.ask(1, 0x2F, 0x60, 0x60, 0, 3)[0] == 0x60
-    assert bus.ask(1, 0x2F, 0x01, 0x14, 2, 1)[0] == 0x60
-    assert bus.ask(1, 0x23, 0x01, 0x14, 1, 0x01, 0x03, 0, 0)[0] == 0x60
-    bus.send(0, 1, 1)
-    bus.send(0x301, 0, 0, 1)
-    assert bus.ask(1, 0x40, 0x60, 0x60, 0)[4] == 3
-    bus.send(0x80)
-    assert bus.ask(1, 0x40, 0x60, 0x60, 0)[4] == 1
-
-
-@pytest.mark.parametrize(("index", "value"), [(0x6060, [3]), (0x6040, [6, 0]), (0x607A, [1, 2, 3, 4])])
-def test_an_expedited_download_may_leave_out_the_size(index: int, value: list[int], bus: Bus) -> None:
-    assert bus.ask(1, 0x22, index & 0xFF, index >> 8, 0, *value)[0] == 0x60
-
-
-def test_the_inhibit_time_of_a_pdo_in_use_stays(bus: Bus) -> None:
-    """A master may write the identifier that it has, as one does that downloads all parameters."""
-    assert bus.ask(1, 0x23, 0x00, 0x18, 1, 0x81, 0x01, 0, 0)[0] == 0x60
-    assert bus.ask(1, 0x2B, 0x00, 0x18, 3, 0x10, 0)[4:] == (0x08000022).to_bytes(4, "little")
-    assert bus.ask(1, 0x2B, 0x01, 0x18, 3, 0x10, 0)[0] == 0x60
-
-
-def test_a_frame_of_network_management_that_is_too_short() -> None:
-    bus = Bus()
-    bus.send(0, 1)
-    bus.close()
-    assert bus.complaints == ["a frame was dropped: network management needs 2 bytes, not 1"]
-
-
-def test_eight_objects_of_a_byte_fit_a_pdo_and_five_of_sixteen_bits_do_not(bus: Bus) -> None:
-    """A PDO has 64 bits, in at most eight objects."""
-    for sub in range(1, 9):
-        assert bus.ask(1, 0x23, 0x01, 0x1A, sub, 0x08, 0, 0x61, 0x60)[0] == 0x60
-    assert bus.ask(1, 0x2F, 0x01, 0x1A, 0, 8)[0] == 0x60
-    for sub in range(1, 6):
-        assert bus.ask(1, 0x23, 0x02, 0x1A, sub, 0x10, 0, 0x41, 0x60)[0] == 0x60
-    assert bus.ask(1, 0x2F, 0x02, 0x1A, 0, 4)[0] == 0x60
-    assert bus.ask(1, 0x2F, 0x02, 0x1A, 0, 5)[4:] == (0x06040042).to_bytes(4, "little")
-
-
 @pytest.mark.parametrize(
     ("mapping", "entry", "fits"),
     [
@@ -495,20 +151,6 @@ def test_what_a_pdo_may_carry(mapping: int, entry: int, fits: bool, bus: Bus) ->
     assert (answer[0] == 0x60) is fits
     if not fits:
         assert answer[4:] == (0x06040041).to_bytes(4, "little")
-
-
-def test_the_error_register_can_be_sent(bus: Bus) -> None:
-    """PDO 2 carries the register and the mode; the register is 1 after any error."""
-    bus.ask(1, 0x23, 0x01, 0x1A, 1, 0x08, 0, 0x01, 0x10)
-    bus.ask(1, 0x23, 0x01, 0x18, 1, 0x81, 0x02, 0, 0)
-    bus.send(0, 1, 1)
-    assert dict(bus.until(0.01))[0x281] == b"\0\0"
-    bus.ask(1, 0x2F, 0x60, 0x60, 0, 6)
-    for control in (6, 7, 15, 31):
-        bus.ask(1, 0x2B, 0x40, 0x60, 0, control)
-    frames = dict(bus.until(0.02))
-    assert frames[0x281] == b"\1\6"
-    bus.complaints.clear()
 
 
 def test_frames_without_sense_change_nothing(bus: Bus) -> None:
@@ -734,24 +376,6 @@ def test_the_default_mapping_is_that_of_the_profile(index: int, bus: Bus) -> Non
     entries = DEFAULT_MAPPINGS[index]
     assert number(bus, index, 0) == len(entries)
     assert [number(bus, index, sub) for sub in range(1, 9)] == entries + [0] * (8 - len(entries))
-
-
-def test_the_identity_has_the_node_as_its_serial_number(bus: Bus) -> None:
-    assert [number(bus, 0x1018, sub) for sub in range(5)] == [4, 0, 0, 0x10000, 2]
-
-
-def test_a_mapping_of_more_than_eight_objects_is_too_long(bus: Bus) -> None:
-    too_long = (0x06040042).to_bytes(4, "little")
-    for objects in (9, 64, 255):
-        assert bus.ask(1, 0x2F, 0x01, 0x16, 0, objects)[4:] == too_long
-
-
-def test_a_pdo_that_stays_as_it_was_is_not_sent_again(bus: Bus) -> None:
-    """PDO 1 is sent when the drive becomes operational, and when its status changes."""
-    bus.send(0, 1, 1)
-    assert 0x181 in dict(bus.until(0.05))
-    bus.ask(1, 0x2F, 0x01, 0x18, 2, 255)  # the transmission type of PDO 2
-    assert 0x181 not in dict(bus.until(0.06))
 
 
 def entries(index: int) -> list[tuple[int, str, int]]:

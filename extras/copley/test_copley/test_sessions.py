@@ -1,23 +1,23 @@
-"""Profile position, profile velocity and homing, as a master on the bus sees them: `sessions.txt`.
+"""What a master on the bus sees: profile position, profile velocity and homing in `modes.txt`, frames in `frames.txt`.
 
-`== title` begins a session with one drive, `; ` a comment with the figures by hand. A line is what the master does, and
-behind `->` what it sees: the position that is read at a time, a word of status, a code of refusal. Speeds are written
-in 0.1 counts/s and rates in 10 counts/s². At power-up they are 10 000 counts/s and 100 000 counts/s², so a ramp takes
-0.1 s and 500 counts. `pytest --update` rewrites what is seen.
+`== title` begins a session, `; ` a comment with the figures by hand. A line is what the master does, and behind `->`
+what it sees: the position that is read at a time, a word of status, a code of refusal, an answer, frames. Speeds are
+written in 0.1 counts/s and rates in 10 counts/s². At power-up they are 10 000 counts/s and 100 000 counts/s², so a ramp
+takes 0.1 s and 500 counts. `pytest --update` rewrites what is seen.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from itertools import groupby
 from pathlib import Path
 
 import pytest
 
 from motionlang_copley.switches import Switches
-from test_copley.bus import Master, SdoAbort
+from test_copley.bus import Bus, Master, SdoAbort
 
-FILE = Path(__file__).with_name("sessions.txt")
 MODES = {"": 0, "PP": 1, "PV": 3, "HM": 6}
 OBJECTS = {
     "CONTROL": 0x6040, "STATUS": 0x6041, "MODE": 0x6060, "POSITION": 0x6064, "VELOCITY": 0x606C, "TARGET": 0x607A,
@@ -73,34 +73,73 @@ def done(axis: Master, words: list[str]) -> str | None:
     return None
 
 
+def on_the_bus(bus: Bus, words: list[str]) -> str | None:
+    """Do the same with frames: `send` of an identifier and bytes, `ask` of a node by SDO, `until` a time."""
+    verb, *rest = words
+    if verb == "send":
+        bus.send(int(rest[0], 16), *(int(each, 16) for each in rest[1:]))
+    elif verb == "ask":
+        return bus.ask(int(rest[0]), *(int(each, 16) for each in rest[1:])).hex(" ")
+    elif verb == "time":
+        bus.time = float(rest[0])
+    elif verb == "complaints":
+        return "; ".join(bus.complaints)
+    elif verb in ("until", "frames"):
+        frames = [f"{can_id:03x}:{data.hex()}" for can_id, data in getattr(bus, verb)(*map(float, rest))]
+        counts = [(frame, len(list(same))) for frame, same in groupby(frames)]
+        return " ".join(frame + f"×{count}" * (count > 1) for frame, count in counts)
+    else:
+        raise ValueError(verb)
+    return None
+
+
+def switches(text: str) -> Switches:
+    """Return the switches of a text such as `negative=-2000,home=800`."""
+    pairs = (each.split("=") for each in text.split(","))
+    return Switches(**{name: float(place) for name, place in pairs})
+
+
 def replayed(session: str) -> str:
     """Return a session with what its master sees now."""
-    axis, shown = None, []
+    bus: Bus | None = None
+    shown = []
     for line in session.splitlines():
-        words = line.partition(" ->")[0].split()
+        verb, *rest = line.partition(" ->")[0].split()
         seen = None
-        if words and words[0] == "on":
-            mode, *places = [each for each in words[1:] if "=" not in each] or [""]
-            if axis is not None:
-                axis.close()
-            given = dict(each.split("=") for each in words[1:] if "=" in each)
-            axis = Master(MODES[mode], Switches(**{name: float(place) for name, place in given.items()}))
-        elif axis is not None:
-            seen = done(axis, words)
+        if verb in ("on", "bus"):
+            if bus is not None:
+                bus.close()
+            places = [switches(each) for each in rest if "=" in each and not each.startswith("factor")]
+            if verb == "on":
+                mode = rest[0] if rest and "=" not in rest[0] else ""
+                bus = Master(MODES[mode], places[0] if places else None)
+            else:
+                factor = next((float(each[7:]) for each in rest if each.startswith("factor")), 1.0)
+                bus = Bus(factor, places)
+        elif isinstance(bus, Master):
+            seen = done(bus, [verb, *rest])
+        elif bus is not None:
+            seen = on_the_bus(bus, [verb, *rest])
         shown.append(line if seen is None else f"{line.partition(' ->')[0]} -> {seen}".rstrip())
-    if axis is not None:
-        axis.close()
+    if bus is not None:
+        bus.close()
+        assert isinstance(bus, Master) or bus.complaints == [] or "complaints" in session
     return "\n".join(shown) + "\n"
 
 
-SESSIONS = [part for part in re.split("^(?===)", FILE.read_text("utf-8"), flags=re.MULTILINE) if part]
+SESSIONS = [
+    (path, part)
+    for path in sorted(Path(__file__).parent.glob("*.txt"))
+    for part in re.split("^(?===)", path.read_text("utf-8"), flags=re.MULTILINE)
+    if part
+]
 
 
-@pytest.mark.parametrize("session", SESSIONS, ids=lambda each: each.partition("\n")[0][3:])
+@pytest.mark.parametrize(("path", "session"), SESSIONS, ids=lambda each: str(each).partition("\n")[0][-60:])
 def test_a_master_sees_what_is_written(
-    session: str, update: bool, golden: Callable[[Path, str], None]
+    path: Path, session: str, update: bool, golden: Callable[[Path, str], None]
 ) -> None:
     if update:
-        golden(FILE, "".join(map(replayed, SESSIONS)))
+        golden(path, "".join(replayed(part) for each, part in SESSIONS if each == path))
     else:
         assert replayed(session) == session
