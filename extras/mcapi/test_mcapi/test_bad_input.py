@@ -58,22 +58,6 @@ def test_the_code_of_a_mistake(
     assert host.GetPositionEx(1) == 0.0
 
 
-def test_a_handle_that_is_not_open(host: Mcapi) -> None:
-    """A host that calls with handle 6 gets error 13, and its structure is unchanged."""
-    motion = mc.MCMOTIONEX()
-    motion.Velocity = 7.0
-    stranger = Mcapi(host.board)
-    stranger._handle = 6
-    with pytest.raises(McapiException) as caught:
-        stranger.GetMotionConfigEx(1, motion)
-    assert caught.value.code == mc.MCERR_CONTROLLER
-    assert motion.Velocity == 7.0
-    assert stranger.GetError() == mc.MCERR_CONTROLLER
-    host.Close()
-    host._handle = 1
-    assert code(host, "MCClose") == mc.MCERR_CONTROLLER
-
-
 def test_the_handle_of_another_host(serve: Serve) -> None:
     """A handle belongs to one host process, over any of its connections."""
     board = serve()
@@ -85,24 +69,11 @@ def test_the_handle_of_another_host(serve: Serve) -> None:
     assert foreign.ask("MCGetPositionEx 1 1 +") == "13"
 
 
-@pytest.mark.parametrize("number", [16, -1, 32767])
-def test_an_id_without_a_board(number: int) -> None:
-    assert Mcapi.virtual().Open(number, mc.MC_OPEN_BINARY) == -mc.MCERR_NO_CONTROLLER
-
-
 def test_no_board_listens() -> None:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         host = Mcapi(f"127.0.0.1:{free.getsockname()[1]}")
         assert host.Open(0, mc.MC_OPEN_BINARY) == -mc.MCERR_SOCKET
-
-
-def test_exclusive_with_others(host: Mcapi) -> None:
-    other = Mcapi(host.board)
-    assert other.Open(0, mc.MC_OPEN_BINARY | mc.MC_OPEN_EXCLUSIVE) == -mc.MCERR_OPEN_EXCLUSIVE
-    host.Close()
-    assert other.Open(0, mc.MC_OPEN_BINARY | mc.MC_OPEN_EXCLUSIVE) == 1
-    assert host.Open(0, mc.MC_OPEN_BINARY) == -mc.MCERR_OPEN_EXCLUSIVE
 
 
 def test_calls_over_one_connection(serve: Serve) -> None:
@@ -244,31 +215,6 @@ def test_a_block_has_an_end(host: Mcapi) -> None:
     with pytest.raises(McapiException) as caught:
         host.Stop(1)
     assert caught.value.code == mc.MCERR_BLOCK_MODE
-
-
-def test_a_rejected_motion_says_so(host: Mcapi) -> None:
-    """A move in velocity mode is rejected.
-
-    An axis that is off ignores the move without an error, as on the board.
-    """
-    host.EnableAxis(1, True)
-    host.SetOperatingMode(1, 0, mc.MC_MODE_VELOCITY)
-    with pytest.raises(McapiException) as caught:
-        host.MoveAbsolute(1, 5.0)
-    assert caught.value.code == mc.MCERR_UNKNOWN_REPLY
-    host.EnableAxis(1, False)
-    host.SetOperatingMode(1, 0, mc.MC_MODE_POSITION)
-    host.MoveAbsolute(1, 5.0)
-    assert host.GetTargetEx(1) == 0.0
-
-
-def test_a_wait_that_never_ends_times_out_in_virtual_time() -> None:
-    """Nothing switches the channel on, so the call returns 25 instead of hanging."""
-    host = opened()
-    with pytest.raises(McapiException) as caught:
-        host.WaitForDigitalIO(1, True)
-    assert caught.value.code == mc.MCERR_TIMEOUT
-    assert host.GetPositionEx(1) == 0.0
 
 
 def test_twenty_hosts_next_to_a_poll_that_waits(serve: Serve) -> None:
