@@ -139,7 +139,7 @@ SESSIONS = [
 def test_a_master_sees_what_is_written(
     path: Path, session: str, update: bool, golden: Callable[[Path, str], None]
 ) -> None:
-    if update:
+    if update and session == next(part for each, part in SESSIONS if each == path):
         golden(path, "".join(replayed(part) for each, part in SESSIONS if each == path))
-    else:
+    elif not update:
         assert replayed(session) == session

@@ -56,7 +56,7 @@ def replayed(session: str) -> str:
 def test_calls_return_what_is_written(
     session: str, update: bool, golden: Callable[[Path, str], None]
 ) -> None:
-    if update:
+    if update and session == SESSIONS[0]:
         golden(FILE, "".join(map(replayed, SESSIONS)))
-    else:
+    elif not update:
         assert replayed(session) == session
