@@ -1,4 +1,4 @@
-"""What a master on the bus sees: profile position, profile velocity and homing in `modes.txt`, frames in `frames.txt`.
+"""What a master on the bus sees: the modes of operation in `modes.txt`, frames in `frames.txt`.
 
 `== title` begins a session, `; ` a comment with the figures by hand. A line is what the master does, and behind `->`
 what it sees: the position that is read at a time, a word of status, a code of refusal, an answer, frames. Speeds are
@@ -50,6 +50,12 @@ def done(axis: Master, words: list[str]) -> str | None:
         state = next(name for bits, name in STATES.items() if word & (0x6F if bits & 0x20 else 0x4F) == bits)
         assert word & ~(0x6F | sum(BITS)) == 0x0210  # there is voltage, and the drive is remote
         return ", ".join([state, *(name for bit, name in BITS.items() if word & bit)])
+    if verb == "points":
+        entries = axis.drive.buffer.entries
+        shown = [
+            f"{e.position} {'-' if e.velocity is None else e.velocity} {e.microseconds}" for e in entries
+        ]
+        return "; ".join(shown)
     if verb == "drive":
         value = getattr(axis.drive, rest[0])
         return value if isinstance(value, str) else f"{value + 0.0:.7g}"
