@@ -12,7 +12,9 @@ from __future__ import annotations
 
 import inspect
 import os
+import re
 from collections.abc import Callable, Collection, Container, Iterable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -99,3 +101,9 @@ def cases(
         return run
 
     return decorate
+
+
+def blocks(path: Path) -> dict[str, str]:
+    """Return the texts of a file by their titles: `== title` begins one."""
+    parts = re.split("^== (.+)\n", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))

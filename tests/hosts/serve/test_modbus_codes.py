@@ -6,11 +6,13 @@ They go through a real connection. The server answers from a run with NetData: e
 
 from __future__ import annotations
 
+import re
 import socket
 import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import partial
+from pathlib import Path
 from threading import Thread
 
 from motionlang.hosts.serve import Limits
@@ -88,78 +90,37 @@ def words(function: int, *values: int) -> bytes:
     return struct.pack(f">B{len(values)}H", function, *values)
 
 
-ZEROS = "00" * 242
 # The objects of the identification: number, length, text.
-VENDOR, PRODUCT, VERSION, NAME = (
-    f"{number:02x}{len(text):02x}" + text.encode().hex()
-    for number, text in ((0, "motionlang"), (1, "NextMove e100"), (2, "0.1.0"), (4, "NextMove e100"))
-)
+OBJECTS = {
+    name: f"{number:02x}{len(text):02x}" + text.encode().hex()
+    for name, number, text in (
+        ("vendor", 0, "motionlang"),
+        ("product", 1, "NextMove e100"),
+        ("version", 2, "0.1.0"),
+        ("name", 4, "NextMove e100"),
+    )
+}
+
+
+def octets(text: str) -> bytes:
+    """Return the bytes of a text in hexadecimal, with names of objects and `zeros*COUNT`."""
+    text = re.sub(r"zeros\*(\d+)", lambda found: "00" * int(found[1]), text)
+    return bytes.fromhex(re.sub("vendor|product|version|name", lambda found: OBJECTS[found[0]], text))
+
+
 # A request, and its response by the specification.
 ANSWERS = {
-    "read holding registers": ("03 0000 0002", "03 04 0002 0003"),
-    "read input registers": ("04 0001 0001", "04 02 0003"),
-    "read the last register": ("03 07cf 0001", "03 02 0000"),
-    "read 125 registers": ("03 000c 007d", "03 fa" + "00" * 250),
-    "write a register": ("06 0014 1234", "06 0014 1234"),
-    "write registers": ("10 0014 0002 04 000a 0102", "10 0014 0002"),
-    # The example of the specification, 6.16: 12 hex and F2, or 25 and not F2, is 17.
-    "mask write": ("16 000a 00f2 0025", "16 000a 00f2 0025"),
-    "write 121 and read": ("17 0000 0001 0020 0079 f2" + ZEROS, "17 02 0002"),
-    # 01: unsupported functions.
-    "read coils": ("01 0000 0001", "81 01"),
-    "read discrete inputs": ("02 0000 0001", "82 01"),
-    "write a coil": ("05 ffff ff00", "85 01"),
-    "write coils": ("0f 0000 0001 01 01", "8f 01"),
-    "diagnostics": ("08 0000 0000", "88 01"),
-    "report server id": ("11", "91 01"),
-    "another encapsulated interface": ("2b 0d 01 00", "ab 01"),
-    "function 0": ("00", "80 01"),
-    "function 80 hex": ("83 0000 0001", "83 01"),
-    # 6.21 of the specification: basic, regular, from an object on, and a single one.
-    "identify, basic": ("2b 0e 01 00", "2b 0e 01 82 00 00 03" + VENDOR + PRODUCT + VERSION),
-    "identify, regular": ("2b 0e 02 00", "2b 0e 02 82 00 00 04" + VENDOR + PRODUCT + VERSION + NAME),
-    "identify from object 2": ("2b 0e 01 02", "2b 0e 01 82 00 00 01" + VERSION),
-    "identify from an object that does not exist": ("2b 0e 01 07", "2b 0e 01 82 00 00 03" + VENDOR + PRODUCT + VERSION),
-    "identify, the product": ("2b 0e 04 01", "2b 0e 04 82 00 00 01" + PRODUCT),
-    "identify, an object that does not exist": ("2b 0e 04 07", "ab 02"),
-    "identify, category 5": ("2b 0e 05 00", "ab 03"),
-    "identify, too short": ("2b 0e 01", "ab 03"),
-    "identify, no code": ("2b 0e", "ab 03"),
-    "no interface": ("2b", "ab 01"),
-    "identify, category 0": ("2b 0e 00 00", "ab 03"),
-    "identify, too long": ("2b 0e 01 00 00", "ab 03"),
-    # 03 before 02: quantities, and lengths that do not fit them.
-    "read no register": ("03 0000 0000", "83 03"),
-    "read 126 registers": ("03 0000 007e", "83 03"),
-    "read 126 registers that do not exist": ("04 ffff 007e", "84 03"),
-    "read, too short": ("03 0000 00", "83 03"),
-    "read, too long": ("03 0000 0001 00", "83 03"),
-    "write a register, too short": ("06 0014", "86 03"),
-    "write no register": ("10 0000 0000 00", "90 03"),
-    "write 123 registers": ("10 0020 007b f6" + "00" * 246, "10 0020 007b"),
-    "write, too short": ("10 0000 0001", "90 03"),
-    "write 124 registers": ("10 0000 007c f8" + "00" * 246, "90 03"),
-    "write with another byte count": ("10 0000 0002 02 0001 0002", "90 03"),
-    "write with a value missing": ("10 0000 0002 04 0001", "90 03"),
-    "mask write, too short": ("16 000a 00f2", "96 03"),
-    "read and write no register": ("17 0000 0001 0000 0000 00", "97 03"),
-    "read no register and write": ("17 0000 0000 0000 0001 02 0001", "97 03"),
-    "read 126 registers and write": ("17 0000 007e 0000 0001 02 0001", "97 03"),
-    # 02: a range with a register that does not exist.
-    "read beyond the end": ("03 07cf 0002", "83 02"),
-    "read beyond 65535": ("03 ffff 0002", "83 02"),
-    "write beyond the end": ("06 07d0 0001", "86 02"),
-    "write across the end": ("10 07cf 0002 04 0001 0002", "90 02"),
-    "mask write beyond the end": ("16 07d0 0000 0000", "96 02"),
-    "write, and read beyond the end": ("17 07cf 0002 0014 0001 02 0009", "97 02"),
-    "write beyond the end, and read": ("17 0000 0001 07d0 0001 02 0009", "97 02"),
-}  # fmt: skip
+    name: (octets(request), octets(answer))
+    for line in Path(__file__).with_name("modbus_codes.txt").read_text(encoding="utf-8").splitlines()
+    if not line.startswith("#")
+    for name, request, answer in re.findall("(.*): (.*) -> (.*)", line)
+}
 
 
 def test_each_request_has_the_response_of_the_specification() -> None:
     with served() as server, client(server) as ask:
-        found = {name: ask(bytes.fromhex(request)) for name, (request, _) in ANSWERS.items()}
-        assert found == {name: bytes.fromhex(answer) for name, (_, answer) in ANSWERS.items()}
+        found = {name: ask(request) for name, (request, _) in ANSWERS.items()}
+        assert found == {name: answer for name, (_, answer) in ANSWERS.items()}
         assert ask(words(3, 10, 1)) == bytes.fromhex("03 02 0017")  # written by the mask
         # Rejected requests wrote nothing: 20 and 21 have the values of "write registers".
         assert ask(words(3, 20, 2)) == bytes.fromhex("03 04 000a 0102")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 
@@ -11,173 +12,14 @@ from motionlang.kernel import Source, run
 from motionlang.kernel.log import Waited
 from motionlang.kernel.mint import DIALECT as MINT
 from motionlang.kernel.report import text
+from tests.cases import blocks
 
 WAITS = "WAIT(1) : WAIT(0) : WAIT(0.3) : WAIT(7.77)"
 # Its iterations are skipped without a record of each wait, but not beyond the time up to which a run is paced.
 SKIPPED = "a loop that polls"
 # The same with loops of several tasks, whose times in a profile are sums that round.
 SUMMED = ("two tasks", "a task that begins and one that is ended")
-PROGRAMS = {
-    "events in between": f"""
-Dim i As Integer
-SCALEFACTOR(0) = 7 : SPEED(0) = 30
-MOVER(0) = 3 : MOVER(0) = -3 : GO(0)
-For i = 1 To 60
-  {WAITS}
-  PRINT TIME; POS(0); VEL(0)
-Next
-""",
-    SKIPPED: f"""
-Dim i As Integer
-PULSEOUTX(3) = 35
-JOG(0) = 1.5
-Repeat
-  {WAITS}
-  i = i + 1
-Until POS(0) > 0.25
-PRINT i; TIME; POS(0); OUTX(3)
-Repeat
-  WAIT(10)
-Until POS(0) > 1
-PRINT TIME; POS(0)
-STOP(0)
-""",
-    "pauses": """
-SCALEFACTOR(0, 1) = 7, 3 : SPEED(0, 1) = 30, 20
-MOVER(0) = 3 : MOVER(1) = 9 : GO(0, 1)
-PAUSE POS(0) > 1.3
-PRINT TIME; POS(0); POS(1)
-PAUSE VEL(0) = 0
-PRINT TIME
-PAUSE IDLE(0) And IDLE(1)
-PRINT TIME; POS(1)
-Dim began As Time
-began = 0
-PAUSE began >= 25
-PRINT TIME
-""",
-    "a pause with a handler": """
-Dim n As Integer
-TIMEREVENT = 7
-JOG(0) = 2
-PAUSE POS(0) > 0.25
-PRINT TIME; POS(0); n
-STOP(0)
-PAUSE n > 40
-PRINT TIME; n
-End
-Event TIMER
-  n = n + 1
-  WAIT(1)
-End Event
-""",
-    "a pause that an error ends": """
-SOFTLIMITFORWARD(0) = 2 : SOFTLIMITMODE(0) = 1
-MOVER(0) = 5 : GO(0)
-PAUSE IDLE(0)
-PRINT TIME; POS(0)
-MOVER(0) = 5 : GO(0)
-""",
-    "a task that begins and one that is ended": """
-Dim k As Integer
-Run Beside
-WAIT(3)
-End Beside
-WAIT(7.5)
-PRINT TIME; k
-Run Beside
-WAIT(20)
-PRINT TIME; k
-End Beside
-WAIT(100)
-PRINT TIME; k
-End
-Task Beside
-  While 1
-    k = k + 1
-    WAIT(0.5)
-  Wend
-End Task
-""",
-    "inputs with and without a handler": """
-Dim n As Integer
-Dim i As Integer
-For i = 1 To 40
-  WAIT(6)
-  PRINT TIME; INX(1); INX(2); n
-Next
-End
-Event IN1
-  n = n + 1
-  WAIT(2)
-End Event
-""",
-    "a handler that a statement calls": """
-SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
-MOVER(0) = 50 : GO(0)
-WAIT(100)
-CANCEL(0)
-WAIT(100)
-PRINT TIME; POS(0)
-TIMEREVENT = 5
-EVENTDISABLE = 4095
-WAIT(12)
-EVENTDISABLE = 0
-WAIT(11)
-PRINT TIME
-End
-Event AXISIDLE
-  PRINT TIME
-  WAIT(30)
-End Event
-Event TIMER
-  PRINT TIME
-  WAIT(2)
-End Event
-""",
-    "waits in a sub, and of all lengths": """
-Dim i As Integer
-For i = 1 To 5
-  Twice(i)
-  Twice(i / 3000.0)
-Next
-WAIT(50000000)
-WAIT(0.7)
-PRINT TIME
-End
-Sub Twice(x As Float)
-  WAIT(x)
-  WAIT(x)
-  PRINT TIME
-End Sub
-""",
-    "a body that is compiled in parts": "Dim n As Integer\n"
-    + "WAIT(0.5) : WAIT(n) : n = n + 1 : PRINT TIME\n" * 300,
-    "a jump back": """
-Dim n As Integer
-again:
-WAIT(2)
-WAIT(n / 2)
-n = n + 1
-If n < 20 Then Goto again
-PRINT TIME
-""",
-    "two tasks": f"""
-Dim k As Integer
-Run Beside
-{WAITS}
-PRINT TIME; k
-WAIT(20)
-PRINT TIME; k
-End
-Task Beside
-  While 1
-    k = k + 1
-    WAIT(0.5)
-  Wend
-End Task
-""",
-}
+PROGRAMS = blocks(Path(__file__).with_name("waits_in_place.txt"))
 
 
 def waits_of(program: str) -> list[Waited]:
