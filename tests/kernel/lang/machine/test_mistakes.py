@@ -91,40 +91,6 @@ def test_the_values_of_a_kind(kind: str) -> None:
 @cases(
     "text, diagnostic",
     [
-        (
-            "[[input]]\nchannel = 1\nchanel = 2",
-            (3, 1, 6, "[[input]] has no key chanel", "did you mean channel?"),
-        ),
-        (
-            "run.zzz = 5",
-            (
-                *(1, 1, 7, "there is no key run.zzz"),
-                "a key of run is run.until, run.stop.event, run.stop.prints, run.stop.line, run.stop.times; "
-                "docs/machine-file.md lists all",
-            ),
-        ),
-        (
-            "[axis.0.limits]\nvelocity = 5",
-            (2, 1, 8, "there is no key axis.0.limits.velocity", "did you mean axis.N.limits.speed?"),
-        ),
-        (
-            "[axis.0.limits]\nzzz = 5",
-            (
-                *(2, 1, 3, "there is no key axis.0.limits.zzz"),
-                "a key of axis.N.limits is axis.N.limits.position, axis.N.limits.speed, axis.N.limits.acceleration, "
-                "axis.N.limits.jerk, axis.N.limits.torque, axis.N.limits.following_error; "
-                "docs/machine-file.md lists all",
-            ),
-        ),
-        (
-            "zzz = 5",
-            (
-                *(1, 1, 3, "there is no key zzz"),
-                "a key begins with controller, run, budget, improve, axis, mccl, mint, assumptions; "
-                "docs/machine-file.md lists all",
-            ),
-        ),
-        ("a = [1, 2", (1, 10, 1, "unclosed array", "the machine file must be TOML")),
         ("x = " + "9" * 5000, (1, 5, 1, "a number has too many digits", "1e6 is a million")),
         (
             "x = " + "[" * 101 + "]" * 101,
