@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -9,36 +10,13 @@ import pytest
 
 from motionlang.kernel import Source, run
 from motionlang.kernel.mccl import CommandTask
-from tests.cases import cases, covering, one_in
+from tests.cases import blocks, cases, covering, one_in
 from tests.counted_calls import count_calls
 from tests.generated.compared import counting_skips, every_iteration
 
 MOVES = "1MN,1SV1000,1SA20000,1DS20000"
 WATCH = "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n"
-PROGRAMS = {
-    "two watches": f"{WATCH}MD6,IN6,CN35,NO,IF6,CF35,NO,RP\nGT5,AR30\nGT6,AR31\n"
-    f"{MOVES},1MR300,1WS,TC34,1MR-100,1WS,TC35,ET@30,ET@31",
-    "watches of different lengths": f"{WATCH}MD6,IN6,CN35,JR2,NO,NO,RP\nMD7,IF6,MC8,NO,RP\nMD8,AL3,AA4,AR7\n"
-    f"GT5,AR30\nGT6,AR31\nGT7,AR32\n{MOVES},1MR300,1WS,WA0.0307,ET@30,ET@31,ET@32",
-    "a watch beside a poll": f'{WATCH}LU"STATUS",AR21\n{MOVES}\nGT5,AR30\n1MR300,1RL@21,IC3,JR-2,NO,1TP,1TV,ET@30',
-    "polls of two axes": 'LU"STATUS",AR21\nMD5,2RL@21,IC3,JR-2,NO,2TP,2MR40,MJ5\n2MN,2SV500,2MR90\n'
-    f"{MOVES}\nGT5,AR30\n1MR300,1RL@21,IC3,JR-2,NO,1TP,1TV,ET@30",
-    "a watch of what moves": f'LU"POSITION",AR20\n{WATCH}MD6,1RL@20,IG150,CN35,NO,RP\nGT5,AR30\nGT6,AR31\n'
-    f"{MOVES},1MR300,1WS,TC35,ET@30,ET@31",
-    "a watch that waits among others": f"{WATCH}MD6,IN6,CN35,NO,WA0.003,RP\nMD7,IF7,NO,NO,RP\nGT5,AR30\nGT6,AR31\n"
-    f"GT7,AR32\n{MOVES},1MR300,1WS,TC35,ET@30,ET@31,ET@32",
-    "a count among watches": f"{WATCH}MD6,RA40,AA1,AR40,IB3000,JR-4,NO\nMD7,RA41,NO,RP\nGT5,AR30\nGT6\nGT7,AR32\n"
-    f"{MOVES},1MR300,1WS,TR40,ET@30,ET@32",
-    "two counts": f"MD5,RA40,AA1,AR40,IB2500,JR-4,NO\nMD6,IN6,RA41,AA2,AR41,NO,RP\nMD7,IF6,NO,NO,RA3,AS1,AR3,RP\nGT5\n"
-    f"GT6,AR31\nGT7,AR32\n{MOVES},1MR300,1WS,TR40,TR41,ET@31,ET@32",
-    "a count that another task reads": f"MD5,RA40,AA1,AR40,NO,RP\nMD6,RA40,IG1500,CN35,NO,RP\nGT5,AR30\nGT6,AR31\n"
-    f"{MOVES},1MR300,1WS,TR40,ET@30,ET@31",
-    "a wait beside a poll": f"MD6,WA0.0173,IN6,CN35,NO,RP\nGT6,AR31\n"
-    f"{MOVES},1MR300,IF5,JR-1,NO,IN5,JR-1,NO,IF6,JR-1,NO,TC35,ET@31",
-    "two waits beside a poll": f"MD6,WA0.0173,CN35,CF35,RP\nMD7,WA0.0119,IN6,CN36,NO,RP\n"
-    f"GT6,AR31\nGT7,AR32\n{MOVES},1MR300,IF6,JR-1,NO,TC36,ET@31,ET@32",
-    "registers of their own": f"MD6,RA1,AC,AR1,NO,RP\n{WATCH}GT5,AR30\nGT6,AR31\n{MOVES},1MR300,1WS,ET@30,ET@31",
-}
+PROGRAMS = blocks(Path(__file__).with_name("loops.txt"))
 # A controller of a quarter of the usual speed, so that a loop has a quarter of the iterations.
 MACHINE: dict[str, object] = {
     "controller.instruction_time": 4e-5,

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from motionlang.kernel.mccl import CommandTask
-from tests.cases import cases
+from tests.cases import blocks, cases
 from tests.generated.compared import counting_skips, every_iteration
 from tests.mccl_runs import Runner
 
@@ -16,72 +17,7 @@ POLL = 'LU"STATUS",1RL@0,IC3,JR-3,NO'
 # Calculations with a moving position before the comparison, so that all passes differ.
 RECKONED = 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n1RL@20,AA5,IB305,JR-3,NO,1TP,1WS,1TP'
 
-PROGRAMS = {
-    "until a move is over": f"1MN,1SV1000,1MR700\n{POLL},1TP,WA0.1,1MR300,{POLL},1TP",
-    "by a macro that jumps to itself": 'MD1,LU"STATUS",1RL@0,IC3,MJ1,NO,1TP\n1MN,1MR5000\nMJ1\n1TV',
-    "for ever, by RP, in the background": (
-        'MD1,LU"STATUS",1RL@0,AR20,RP\n1MN,1MR5000\nGT1,AR30,WA0.05,1MR-400,TR20,1WS,WA0.013,TR20,ET@30,1TP'
-    ),
-    "two tasks that watch two axes": (
-        'MD1,LU"STATUS",1RL@0,IC3,MJ1,NO,1TP\nMD2,LU"STATUS",2RL@0,IC3,MJ2,NO,2TP\n'
-        "MN,1MR5000,2MR3000\nGT1\nGT2\nWA0.3,1TV"
-    ),
-    "the target band": f"1MN,1DB100,1DT0.02,1MR5000\n{POLL.replace('IC3', 'IC2')},1TP",
-    "the direction while it reverses": f"1MN,1MR5000,WA0.1,1ST\n{POLL}\n1MR-50,{POLL.replace('IC3', 'IC4')},1TP,1WS",
-    "the direction of an axis that turns round in velocity mode": "1MN,1SV1000,1SA2000,1MR50,1WS,1MR-50,1WS\n"
-    f"1VM,1GO,WA0.1,1DI1,1GO\n{POLL.replace('IC3', 'IC4')},1TP,1DI0,1GO\n{POLL.replace('IC3', 'IS4')},1TP,1ST",
-    "an input that another task sets": "MD1,WA0.1,CN33,WA0.1,CF33\nGT1\nIF33,JR-1,NO,IN33,JR-1,NO,TC33",
-    "a register that another task sets": "MD1,WA0.1,AL7,AR20\nGT1\nRA20,IU7,JR-2,NO,TR20",
-    "a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1RV@20,IB400.5,JR-2,NO,1TP',
-    "a position on its way back": 'LU"POSITION",AR20\n1MN,1MR500,1WS,1MR-900\n1RL@20,IG-250,JR-2,NO,1TP\n'
-    "1RL@20,IE-399,JP4,NO,1TP,1WS",
-    "a position that is reckoned with": RECKONED,
-    "a count, and then a wait": f"1MN,1MR9000,AL0,AR30\nRA30,AA1,AR30,IB700,JR-4,NO\n{POLL},1TP,TR30",
-    "an auxiliary encoder": 'LU"AUXPOSITION",AR20\n1RL@20,IB300,JR-2,NO,AS40,1WL@20,1RD@20,IG200,JP10,NO,1TP,JR-4\n'
-    "1RV@20,IB400,JR-2,NO,1TA",
-    "an output that follows a position": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
-    "1RL@20,IG200,CN33,NO,IG400,CF33,NO,1RL@21,IC3,JR-9,NO,1TP,TC33",
-    "an output that follows a position without NO": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
-    "1RL@20,IG200,CN33,AL7,AR22,IE7,CF33,CN33,1RL@21,IC3,JR-9,NO,1TP,TC33",
-    "a lamp in the background": "MD5,IN5,CN34,NO,IF5,CF34,NO,RP\n1MN,1SV1000\nGT5,AR30\n"
-    "1MR500,1WS,TC34,1MR-100,1WS,TC34,WA0.013,ET@30",
-    "a stop by an input": 'LU"STATUS",AR21\n1MN,1SV1000,1MR5000\nIN5,1ST,NO,1RL@21,IC3,JR-5,NO,1TP',
-    "the low byte of a position": 'LU"POSITION",AR20\n1MN,1SV1000,1MR900,1WP300\n1RB@20,IB200,JR-2,NO,1TP,1WS',
-    "the low word of a position": 'LU"POSITION",AR20\n1MN,1SV200000,1SA1000000,1MR100000,1WP40000\n'
-    "1RW@20,IB20000,JR-2,NO,1TP,1WS",
-    "a real position and another one": 'LU"POSITION",AR20\n1MN,1MR500\n'
-    "1RV@20,IB200.25,JR-2,NO,1TP,1RD@20,IB400.75,JR-2,NO,1TP,1WS",
-    "a velocity": 'LU"VELOCITY",AR20\n1MN,1SV1000,1SA5000,1MR500\n1RL@20,IB900,JR-2,NO,1TP\n'
-    "1RL@20,IG450.5,JR-2,NO,1TP,1WS",
-    "a velocity and a position": 'LU"VELOCITY",AR20,LU"POSITION",AR21\n1MN,1SV1000,1SA5000,1MR500\n'
-    "1RL@20,IG700,CN33,NO,1RD@21,IB450,JR-6,NO,1TP,TC33,1WS",
-    "a position with backlash": '1MN,1BD10,1BN\nLU"POSITION",AR20,1MR500\n1RL@20,IB250,JR-2,NO,1TP,1WS\n'
-    "1MR-500\n1RL@20,IG250,JR-2,NO,1TP,1WS",
-    "a position that is stored": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,AR22,IB450,JR-3,NO,TR22,1WS',
-    "a position from the iteration before": 'LU"POSITION",AR20,AL0\n1MN,1MR500\n'
-    "IG300,CN33,NO,1RL@20,IB450,JR-5,NO,1TP,TC33",
-    "a jump over a reading": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
-    "1RL@20,IN5,JR3,NO,AL9,NO,IG300,CN33,NO,1RL@21,IC3,JR-11,NO,1TP,TC33",
-    "a status word that is read every 3 ms": 'LU"STATUS",AR21\n1MN,1SV1000,1MR300\nWA0.003,1RL@21,IC3,JR-3,NO,1TP',
-    "a watch that waits": "MD5,IN5,CN34,NO,IF5,CF34,NO,WA0.001,RP\n1MN,1SV1000\nGT5,AR30\n"
-    "1MR300,1WS,TC34,1MR-100,1WS0.0307,TC34,WA0.0131,ET@30",
-    "a watch that waits twice": "MD5,IN5,CN34,NO,WA0.0007,IF5,CF34,NO,WA0.0013,RP\n1MN,1SV1000\nGT5,AR30\n"
-    "1MR300,1WS,TC34,WA0.0131,ET@30",
-    "two watches that wait": "MD5,IN5,CN34,NO,WA0.001,RP\nMD6,IF5,CF34,NO,WA0.003,RP\n1MN,1SV1000\nGT5,AR30\n"
-    "GT6,AR31\n1MR300,1WS,TC34,ET@30,ET@31",
-    "a position that is read every 2 ms": 'LU"POSITION",AR20\n1MN,1SV1000,1MR500\n'
-    "1RL@20,IG250,CN33,NO,WA0.002,1RL@20,IB450,JR-7,NO,1TP,TC33",
-    "a wait that depends": 'LU"STATUS",AR21\n1MN,1SV1000,1MR300\nIN5,WA0.0071,NO,WA0.003,1RL@21,IC3,JR-6,NO,1TP',
-    "a bit that follows a position": 'LU"POSITION",AR20\n1MN,1MR500\n1RL@20,IC7,JR-2,NO,1TP,1RL@20,IS7,JR-2,NO,1TP,1WS',
-    "a position that is recalled": 'LU"POSITION",AR20,LU"STATUS",AR21\n1MN,1MR500\n'
-    "1RL@20,RA0,IG300,CN33,NO,1RL@21,IC3,JR-7,NO,1TP",
-    "bits of the status word, then its value": 'LU"STATUS",AR21\n1MN,1MR500\n'
-    "1RL@21,IS4,CN33,NO,IS3,CF33,NO,1RL@21,IS2,CN34,NO,IC3,JR-12,NO,1TP\n1MR-500\n1RL@21,IC2,JR-2,NO,1TP",
-    "the phase of a move": '1MN,1PS,1MR5000\nLU"PROFILE",1RL@0,IS3,JR-3,NO,1TP,1WS',
-    "a breakpoint": f"1MN,1MR5000,1IP2000\n{POLL.replace('IC3', 'IC10')},1TP,1WS",
-    "the segments of a contour": "1MN,2MN,1CM1,2CM1,1CP1,1MR500,2MR0,1CP1,1MR0,2MR500\n"
-    'LU"SEGMENT",1RL@0,IB1,JR-3,NO,1TP,2TP,1WS',
-}
+PROGRAMS = blocks(Path(__file__).with_name("polls.txt"))
 
 
 def outcome(runner: Runner, text: str) -> dict[str, Any]:
