@@ -107,3 +107,24 @@ def blocks(path: Path) -> dict[str, str]:
     """Return the texts of a file by their titles: `== title` begins one."""
     parts = re.split("^== (.+)\n", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
     return dict(zip(parts[1::2], parts[2::2], strict=True))
+
+
+def sessions(*paths: Path) -> pytest.MarkDecorator:
+    """Run a test for each part of some files that `== title` begins: parameters `path` and `session`."""
+    parts = [(path, part) for path in paths for part in _parts(path)]
+    titles = [part.partition("\n")[0].removeprefix("== ") for _, part in parts]
+    return pytest.mark.parametrize(("path", "session"), parts, ids=titles)
+
+
+def repeat(path: Path, session: str, replayed: Callable[[str], str], update: bool) -> None:
+    """Assert that a session is repeated as it is written; with `update`, its file is written anew, once."""
+    if not update:
+        assert replayed(session) == session
+    elif session == _parts(path)[0]:
+        path.write_text("".join(map(replayed, _parts(path))), encoding="utf-8", newline="\n")
+
+
+def _parts(path: Path) -> list[str]:
+    return [
+        part for part in re.split("^(?===)", path.read_text(encoding="utf-8"), flags=re.MULTILINE) if part
+    ]

@@ -9,15 +9,15 @@ of another host. `pytest --update` rewrites what is received.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
-
-import pytest
 
 from motionlang.hosts.mccl.console import Console
 from motionlang.hosts.mint.console import MintConsole
 from motionlang.kernel import Machine, Source
+from tests.cases import repeat, sessions
 
 FILES = sorted(Path(__file__).parent.glob("sessions_*.txt"))
 MODELS = {"mint": "NextMove ESB-2", "mccl": "multiflex"}
@@ -80,21 +80,6 @@ def replayed(language: str, session: str) -> str:
     return "".join(shown)
 
 
-SESSIONS = [
-    (path, part)
-    for path in FILES
-    for part in re.split("^(?===)", path.read_text("utf-8"), flags=re.M)
-    if part
-]
-
-
-@pytest.mark.parametrize(("path", "session"), SESSIONS, ids=lambda each: str(each).partition("\n")[0][-60:])
-def test_hosts_receive_what_is_written(
-    path: Path, session: str, update: bool, golden: Callable[[Path, str], None]
-) -> None:
-    language = path.stem.partition("_")[2]
-    if update and session == next(part for each, part in SESSIONS if each == path):
-        parts = [replayed(language, part) for each, part in SESSIONS if each == path]
-        golden(path, "".join(parts))
-    elif not update:
-        assert replayed(language, session) == session
+@sessions(*FILES)
+def test_hosts_receive_what_is_written(path: Path, session: str, update: bool) -> None:
+    repeat(path, session, partial(replayed, path.stem.partition("_")[2]), update)

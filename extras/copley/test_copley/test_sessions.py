@@ -8,15 +8,12 @@ takes 0.1 s and 500 counts. `pytest --update` rewrites what is seen.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
 from itertools import groupby
 from pathlib import Path
 
-import pytest
-
 from motionlang_copley.switches import Switches
 from test_copley.bus import Bus, Master, SdoAbort
+from tests.cases import repeat, sessions
 
 MODES = {"": 0, "PP": 1, "PV": 3, "HM": 6}
 OBJECTS = {
@@ -133,19 +130,6 @@ def replayed(session: str) -> str:
     return "\n".join(shown) + "\n"
 
 
-SESSIONS = [
-    (path, part)
-    for path in sorted(Path(__file__).parent.glob("*.txt"))
-    for part in re.split("^(?===)", path.read_text("utf-8"), flags=re.MULTILINE)
-    if part
-]
-
-
-@pytest.mark.parametrize(("path", "session"), SESSIONS, ids=lambda each: str(each).partition("\n")[0][-60:])
-def test_a_master_sees_what_is_written(
-    path: Path, session: str, update: bool, golden: Callable[[Path, str], None]
-) -> None:
-    if update and session == next(part for each, part in SESSIONS if each == path):
-        golden(path, "".join(replayed(part) for each, part in SESSIONS if each == path))
-    elif not update:
-        assert replayed(session) == session
+@sessions(*sorted(Path(__file__).parent.glob("*.txt")))
+def test_a_master_sees_what_is_written(path: Path, session: str, update: bool) -> None:
+    repeat(path, session, replayed, update)

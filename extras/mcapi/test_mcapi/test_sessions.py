@@ -10,17 +10,13 @@ time. A move of 5000 counts at 100 000 counts/s² never reaches 40 000 counts/s:
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Callable
 from pathlib import Path
-
-import pytest
 
 from motionlang_mcapi import Mcapi
 from test_mcapi.conftest import ask
+from tests.cases import repeat, sessions
 
 FILE = Path(__file__).with_name("sessions.txt")
-SESSIONS = [part for part in re.split("^(?===)", FILE.read_text("utf-8"), flags=re.MULTILINE) if part]
 
 
 def returned(host: Mcapi, line: str) -> str | None:
@@ -52,11 +48,6 @@ def replayed(session: str) -> str:
     return "\n".join(shown) + "\n"
 
 
-@pytest.mark.parametrize("session", SESSIONS, ids=lambda each: each.partition("\n")[0][3:])
-def test_calls_return_what_is_written(
-    session: str, update: bool, golden: Callable[[Path, str], None]
-) -> None:
-    if update and session == SESSIONS[0]:
-        golden(FILE, "".join(map(replayed, SESSIONS)))
-    elif not update:
-        assert replayed(session) == session
+@sessions(FILE)
+def test_calls_return_what_is_written(path: Path, session: str, update: bool) -> None:
+    repeat(path, session, replayed, update)

@@ -9,17 +9,14 @@ is answered.
 from __future__ import annotations
 
 import json
-import re
-from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-import pytest
-
+from tests.cases import repeat, sessions
 from tests.ide.dap.client import Client
 
 FILE = Path(__file__).with_name("sessions.txt")
-SESSIONS = [part for part in re.split("^(?===)", FILE.read_text("utf-8"), flags=re.MULTILINE) if part]
 
 
 def answer(client: Client, command: str, text: str) -> str:
@@ -63,11 +60,6 @@ def replayed(session: str, folder: Path) -> str:
     return "\n".join(shown) + "\n"
 
 
-@pytest.mark.parametrize("session", SESSIONS, ids=lambda each: each.partition("\n")[0][3:])
-def test_requests_are_answered_as_written(
-    session: str, tmp_path: Path, update: bool, golden: Callable[[Path, str], None]
-) -> None:
-    if update and session == SESSIONS[0]:
-        golden(FILE, "".join(replayed(each, tmp_path) for each in SESSIONS))
-    elif not update:
-        assert replayed(session, tmp_path) == session
+@sessions(FILE)
+def test_requests_are_answered_as_written(path: Path, session: str, tmp_path: Path, update: bool) -> None:
+    repeat(path, session, partial(replayed, folder=tmp_path), update)
