@@ -7,7 +7,6 @@ from math import inf
 import pytest
 
 from motionlang.kernel import Controller
-from motionlang.kernel.controller.faults import FOLLOWING_ERROR
 from motionlang.kernel.controller.feedback import Feedback
 
 MOTOR: dict[str, object] = {"load_inertia": 4e-5, "viscous": 2e-5}
@@ -49,20 +48,6 @@ def first(readings: Readings, is_there: list[bool]) -> float:
     return (50 + is_there.index(True)) / 1000
 
 
-@pytest.mark.parametrize("share", [0.2, 0.5, 0.9])
-def test_when_a_motor_reaches_a_position(readings: Readings, share: float) -> None:
-    """The motor is past the middle of two samples at the second one."""
-    controller, feedback = moving()
-    begin, end = readings[0][0], readings[-1][0]
-    level = begin + share * (end - begin)
-    wanted = first(readings, [position >= level for position, _, _ in readings])
-    time = feedback.crossing_time(level)
-    while time < wanted - 1e-9:  # the end of the samples that are known
-        controller.clock.advance(time)
-        time = feedback.crossing_time(level)
-    assert time == pytest.approx(wanted)
-
-
 def test_when_a_following_error_is_reached(readings: Readings) -> None:
     controller, feedback = moving()
     begin = readings[0][1]
@@ -76,20 +61,6 @@ def test_when_a_following_error_is_reached(readings: Readings) -> None:
     assert time == pytest.approx(wanted)
 
 
-def test_when_a_motor_is_settled(readings: Readings) -> None:
-    """The program's window is half a count on each side of the demand."""
-    controller, feedback = moving()
-    assert not feedback.resting
-    outside = [abs(error) > 0.5 for _, error, _ in readings]
-    last = max(k for k, each in enumerate(outside) if each)
-    settled = (50 + last + 1) / 1000
-    controller.clock.advance(settled - 0.0015)
-    assert feedback.settled_time("program") > controller.clock.now
-    controller.clock.advance(0.001 * COUNT)
-    assert feedback.settled_time("program") == controller.clock.now
-    assert feedback.resting
-
-
 def test_positions_are_known_at_the_samples_that_are_stored(readings: Readings) -> None:
     unmoved = Feedback(Controller(1).axes[0], MOTOR, GAINS)
     assert (unmoved.known_position(0.0), unmoved.velocity, unmoved.error) == (None, 0.0, 0.0)
@@ -100,50 +71,3 @@ def test_positions_are_known_at_the_samples_that_are_stored(readings: Readings) 
     assert feedback.known_position(0.1009) == feedback.known_position(0.1) == feedback.position
     assert feedback.known_position(1e9) is None
     assert feedback.position == pytest.approx(controller.position(0))
-
-
-@pytest.mark.parametrize("share", [0.6, 0.95])
-def test_the_sample_at_which_a_following_error_is_too_large(readings: Readings, share: float) -> None:
-    """The fault opens the loop."""
-    most = max(abs(error) for _, error, _ in readings)
-    wanted = first(readings, [abs(error) > share * most for _, error, _ in readings])
-    controller, feedback = moving()
-    found: list[tuple[str, float]] = []
-
-    def trip() -> None:
-        found.append(("tripped", controller.clock.now))
-        controller.fault(0, FOLLOWING_ERROR, "off")
-
-    feedback.tripped = trip
-    feedback.set_error_limit(share * most)
-    controller.clock.advance(0.001 * COUNT)
-    assert found == [("tripped", found[0][1])]
-    assert found[0][1] == pytest.approx(wanted)
-    assert not feedback.closed
-
-
-def test_an_open_loop_that_is_closed_again_takes_over_the_position() -> None:
-    """Setting the same output again does not change the loop."""
-    controller, feedback = moving(0.1)
-    count = len(feedback.changes)
-    feedback.open(0.0)
-    feedback.open(0.0)
-    assert (len(feedback.changes), feedback.closed, feedback.resting) == (count + 1, False, True)
-    feedback.open(0.5)
-    assert len(feedback.changes) == count + 2
-    controller.clock.advance(0.2)
-    here = feedback.position
-    feedback.take_over()
-    assert (controller.target(0), controller.demand(0), feedback.closed) == (here, here, True)
-    feedback.take_over()
-    assert len(feedback.changes) == count + 3
-
-
-def test_later_changes_of_a_loop_are_cut() -> None:
-    _, feedback = moving()
-    feedback.tune({"proportional": (0.01, "")})
-    extent, before = feedback.extent(), list(feedback.changes)
-    feedback.open(1.0)
-    assert len(feedback.changes) == extent + 1
-    feedback.cut(extent)
-    assert feedback.changes == before

@@ -6,9 +6,8 @@ from math import inf, sqrt
 
 import pytest
 
-from motionlang.kernel import Controller, Machine, Rejected
+from motionlang.kernel import Controller, Machine
 from motionlang.kernel.planners import from_curve
-from motionlang.kernel.tracks import recall
 
 
 def controller() -> Controller:
@@ -17,29 +16,6 @@ def controller() -> Controller:
         for name, value in (("speed", 50.0), ("accel", 100.0), ("decel", 100.0)):
             c.configure(axis, name, value)
     return c
-
-
-def test_a_jog_has_nothing_remaining_and_a_move_has() -> None:
-    c = controller()
-    c.jog(0, 20.0)
-    c.move_to(1, 30.0)
-    c.clock.advance(0.2)
-    assert c.target(0) == inf
-    assert c.remaining(0) == 0.0
-    assert c.remaining(1) == pytest.approx(30.0 - 0.5 * 100.0 * 0.2**2)
-    c.clock.advance(10.0)
-    assert c.remaining(1) == 0.0
-
-
-def test_a_slave_whose_master_rests_passes_nothing_not_even_where_it_is() -> None:
-    c = controller()
-    c.gear(0, 1, 1.0)
-    assert c.demand_crossing_time(0, 0.0) == inf
-    c.jog(1, 20.0)
-    c.clock.advance(1.0)
-    here = c.position(0)
-    assert c.demand_crossing_time(0, here + 20.0) == pytest.approx(2.0)
-    assert c.demand_crossing_time(0, here - 1.0) == inf
 
 
 def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
@@ -53,16 +29,6 @@ def test_while_a_velocity_is_what_it_is_it_changes_when_that_ends() -> None:
     assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.8)
     c.clock.advance(0.7)
     assert c.demand_velocity_crossing_time(0, 30.0) == pytest.approx(0.8)
-
-
-def test_a_velocity_that_the_rest_of_a_move_does_not_have_is_not_reached_before_its_end() -> None:
-    """30 at 50 with rates of 100 takes 0.5 s up, 0.1 s at 50 and 0.5 s down."""
-    c = controller()
-    c.move_to(0, 30.0)
-    c.clock.advance(0.1)
-    assert c.demand_velocity_crossing_time(0, 0.0) == pytest.approx(1.1)
-    assert c.demand_velocity_crossing_time(0, 60.0) == pytest.approx(1.1)
-    assert c.demand_velocity_crossing_time(0, inf) == inf
 
 
 def test_times_at_which_axes_will_be_idle() -> None:
@@ -120,17 +86,6 @@ def test_crossing_times_of_a_position() -> None:
     assert c.demand_velocity_crossing_time(0, 0.0) == inf
 
 
-def test_a_position_that_a_motion_passes_twice() -> None:
-    """At 0.2 s the axis has 20 counts/s and is at 2; it stops in 0.2 s and turns back."""
-    c = controller()
-    c.move_to(0, 30.0)
-    c.clock.advance(0.2)
-    c.move_to(0, -30.0)
-    assert c.crossing_time(0, 3.5) == pytest.approx(0.3)
-    c.clock.advance(0.45)
-    assert c.crossing_time(0, 3.5) == pytest.approx(0.5)
-
-
 def test_an_encoder_from_outside() -> None:
     """From rest to 50 counts/s in 0.5 s, and at 1 s back to rest until 1.5 s."""
     c = controller()
@@ -156,45 +111,6 @@ def test_an_encoder_from_outside() -> None:
     assert not c.turns(7)
 
 
-def test_a_pulse_is_prolonged_by_another_one() -> None:
-    c = controller()
-    c.pulse(3, 0.5)
-    c.clock.advance(0.3)
-    c.pulse(3, 0.5)
-    c.pulse(4, 0.1)
-    c.clock.advance(2.0)
-    c.pulse(3, 0.25)
-    c.clock.advance(3.0)
-    assert [(round(time, 9), channel, value) for time, channel, value, *_ in c.log.outputs] == [
-        (0.0, 3, 1), (0.3, 4, 1), (0.4, 4, 0), (0.8, 3, 0), (2.0, 3, 1), (2.25, 3, 0),
-    ]  # fmt: skip
-    assert [c.set_output(3, 1), c.set_output(3, 1), c.set_output(3, 0), c.set_output(5, 0)] == [
-        True, False, True, False,
-    ]  # fmt: skip
-
-
-def test_a_fault_that_nothing_handles_is_raised() -> None:
-    c, seen = controller(), list[str]()
-    rejected = Rejected("range", "too far")
-    with pytest.raises(Rejected):
-        c.run_time_fault(rejected)
-    c.fault_handler = lambda fault: seen.append(fault.code) or True  # type: ignore[func-returns-value]
-    c.run_time_fault(rejected)
-    assert seen == ["range"]
-    c.fault_handler = lambda fault: False
-    with pytest.raises(Rejected):
-        c.run_time_fault(rejected)
-
-
-def test_without_a_motor_there_is_no_error() -> None:
-    c = controller()
-    c.move_to(0, 30.0)
-    c.clock.advance(0.2)
-    assert c.following_error(0) == 0.0
-    assert (c.has_motor(0), c.is_open(0)) == (False, False)
-    assert (c.position(0), c.velocity(0)) == (c.demand(0), c.demand_velocity(0)) == pytest.approx((2.0, 20.0))
-
-
 def test_gains_are_those_of_the_program_or_the_default() -> None:
     c = controller()
     assert c.gain(0, "proportional", 5.0) == 5.0
@@ -204,15 +120,6 @@ def test_gains_are_those_of_the_program_or_the_default() -> None:
     assert c.gain(1, "proportional", 5.0) == 5.0
     c.set_gains(0, {"derivative": (4.0, "KDERIV")})
     assert [c.gain(0, name, 5.0) for name in ("proportional", "integral", "derivative")] == [5.0, 5.0, 4.0]
-
-
-def test_past_positions_without_a_motor_are_the_commanded_ones() -> None:
-    """50 t² during the first 0.5 s; a motor that does not exist has no output."""
-    c = controller()
-    c.move_to(0, 30.0)
-    c.clock.advance(2.0)
-    assert recall(c, 0, "actual", [0.1, 0.2, 1.5]) == pytest.approx([0.5, 2.0, 30.0])
-    assert recall(c, 0, "output", [0.1, 0.2]) == [0.0, 0.0]
 
 
 def test_when_the_velocity_on_a_curve_reaches_a_value_or_may_turn_back() -> None:

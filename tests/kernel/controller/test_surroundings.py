@@ -25,16 +25,6 @@ def changes(c: Controller) -> list[tuple[float, int, float]]:
     return [(round(time, 9), channel, value) for time, channel, value in c.log.inputs]
 
 
-def test_positions_of_the_world_are_user_units_whatever_the_scale() -> None:
-    c = machine(input=[{"channel": 3, "axis": 0, "above": 6.0}])
-    c.set_scale(0, 1000.0)
-    for name in ("speed", "accel", "decel"):
-        c.configure(0, name, float(c.setting(0, name) or 0) * 1000)
-    c.move_to(0, 12_000.0)
-    c.clock.advance(5.0)
-    assert changes(c) == [(1.0, 3, 1)]
-
-
 def test_the_home_switch() -> None:
     c = machine(axis__0__home_switch=[-4.0, -3.0], axis__0__home_input=2, axis__0__start=-3.5)
     assert c.is_on_home_switch(0)
@@ -44,36 +34,6 @@ def test_the_home_switch() -> None:
     c.clock.advance(5.0)
     assert not c.is_on_home_switch(0)
     assert changes(c) == [(0.0, 2, 1), (0.25, 2, 0)]
-
-
-@pytest.mark.parametrize(("value", "enabled"), [(1, True), (0, False)])
-def test_a_drive_is_off_while_its_enable_input_is_off_and_asks_no_other(value: int, enabled: bool) -> None:
-    c = machine(
-        axis__0__enable_input=3,
-        input=[
-            {"channel": 3, "at": 0.0},
-            {"channel": 4, "at": 0.5},
-            {"channel": 3, "at": 1.0, "value": value},
-        ],
-    )
-    c.clock.advance(0.1)
-    c.enable(0)
-    c.clock.advance(0.9)
-    assert c.is_enabled(0)
-    c.clock.advance(2.0)
-    assert c.is_enabled(0) is enabled
-
-
-def test_an_input_follows_the_level_of_an_output_after_a_delay() -> None:
-    c = machine(input=[{"channel": 5, "output": 1, "delay": 0.25}, {"channel": 6, "output": 1, "value": 0}])
-    assert changes(c) == [(0.0, 6, 1)]
-    c.clock.advance(1.0)
-    c.set_output(1, 1)
-    c.clock.advance(2.0)
-    assert changes(c)[1:] == [(1.0, 6, 0), (1.25, 5, 1)]
-    c.outputs.set_active_low({1})  # on means low now
-    c.clock.advance(3.0)
-    assert changes(c)[3:] == [(2.0, 6, 1), (2.25, 5, 0)]
 
 
 def test_a_fault_beyond_a_position_happens_where_the_axis_comes_there() -> None:
@@ -90,56 +50,6 @@ def test_marks_along_the_travel() -> None:
     c.move_to(0, 30.0)
     c.clock.advance(3.0)
     assert changes(c) == [(0.5, 3, 1), (1.0, 3, 0), (1.5, 3, 1), (2.0, 3, 0)]
-
-
-def test_inputs_that_are_wired_later_count_their_times_from_then() -> None:
-    made = Machine({"controller.axes": 1})
-    c = made.controller
-    c.clock.advance(2.0)
-    made.add_entries(
-        {
-            "input": [
-                {"channel": 3, "at": 1.0, "for": 0.5},
-                {"channel": 4},
-                {"channel": 5, "every": 1.0, "for": 0.25},
-            ],
-            "analogue": [{"channel": 1, "value": 12.5, "at": 0.5, "for": 1.0}],
-        }
-    )
-    c.clock.advance(3.0)
-    assert changes(c) == [(2.0, 4, 1), (2.0, 5, 1), (2.25, 5, 0), (3.0, 3, 1), (3.0, 5, 1)]
-    assert c.analogue_inputs[1] == 12.5
-    c.clock.advance(3.5)
-    assert c.analogue_inputs[1] == 0.0
-
-
-def test_a_host_that_is_added_later_writes_at_times_from_then() -> None:
-    made = Machine({"controller.axes": 1})
-    made.controller.clock.advance(2.0)
-    made.add_entries({"comms": [{"element": 5, "value": 7.5, "at": 1.0}]})
-    made.controller.clock.advance(2.5)
-    assert made.host.real("comms", 5) == 0.0
-    made.controller.clock.advance(3.0)
-    assert made.host.real("comms", 5) == 7.5
-
-
-def test_a_host_that_is_added_later_repeats_or_answers_an_output_from_then() -> None:
-    made = Machine({"controller.axes": 1})
-    c, written = made.controller, []
-    made.host.listeners.append(lambda area, element, _: written.append((c.clock.now, area, element)))
-    c.outputs[2] = 1
-    c.clock.advance(2.0)
-    made.add_entries(
-        {
-            "comms": [{"element": 5, "value": 7.5, "at": 1.0, "every": 2.0, "times": 2}],
-            "netdata": [{"element": 6, "value": 1, "output": 2, "delay": 0.5}],
-        }
-    )
-    c.clock.advance(4.0)
-    c.outputs[2] = 0
-    c.outputs[2] = 1
-    c.clock.advance(20.0)
-    assert written == [(3.0, "comms", 5), (4.5, "netdata", 6), (5.0, "comms", 5)]
 
 
 @pytest.mark.parametrize(
@@ -162,38 +72,6 @@ def test_times_that_are_past_count_as_one(entry: dict[str, object], expected: li
     c.stimuli.add("comms", entry, lambda: acted.append(c.clock.now))
     c.clock.advance(4.5)
     assert acted == expected
-
-
-@pytest.mark.parametrize(
-    ("keys", "expected"),
-    [
-        ({}, [(1.25, 3, 1), (1.75, 3, 0)]),
-        ({"level": 0}, [(2.25, 3, 1), (2.75, 3, 0)]),
-        ({"value": 0}, [(0.0, 3, 1), (1.25, 3, 0), (1.75, 3, 1)]),
-        ({"value": 0, "level": 0}, [(0.0, 3, 1), (2.25, 3, 0), (2.75, 3, 1)]),
-        ({"level": 0, "for": 2.0}, [(2.25, 3, 1), (4.25, 3, 0)]),
-    ],
-)
-def test_an_input_is_active_for_some_time_after_an_output(
-    keys: dict[str, object], expected: list[tuple[float, int, float]]
-) -> None:
-    c = machine(input=[{"channel": 3, "output": 1, "delay": 0.25, "for": 0.5, **keys}])
-    c.clock.advance(1.0)
-    c.outputs[1] = 1
-    c.clock.advance(2.0)
-    c.outputs[1] = 0
-    c.clock.advance(9.0)
-    assert changes(c) == expected
-
-
-def test_a_further_change_prolongs_the_pulse_of_an_input() -> None:
-    c = machine(input=[{"channel": 3, "output": 1, "for": 1.0}])
-    for time in (0.5, 1.0, 4.0):
-        c.clock.advance(time)
-        c.outputs[1] = 1
-        c.outputs[1] = 0
-    c.clock.advance(9.0)
-    assert changes(c) == [(0.5, 3, 1), (2.0, 3, 0), (4.0, 3, 1), (5.0, 3, 0)]
 
 
 def test_the_travel_is_counted_from_the_start() -> None:
@@ -238,50 +116,6 @@ def test_a_home_switch_without_an_input_is_only_a_switch() -> None:
         found.append((c.is_on_home_switch(1), c.is_on_home_switch(0)))
     assert found == [(False, False), (True, False), (False, False)]
     assert changes(c) == []
-
-
-def test_a_drive_is_disabled_at_once_while_its_enable_input_is_off() -> None:
-    """Channel 3 is off at power-up.
-
-    The stop of the moving axis is an e-stop in the log.
-    """
-    c = machine(axis__0__enable_input=3, input=[{"channel": 3, "at": 1.0, "for": 2.0}])
-    assert not c.is_enabled(0)
-    assert c.is_enabled(1)
-    assert not c.may_enable(0)
-    c.clock.advance(1.5)
-    assert c.may_enable(0)
-    assert not c.is_enabled(0)
-    c.enable(0)
-    c.jog(0, 8.0)
-    c.clock.advance(4.0)
-    assert not c.is_enabled(0)
-    assert c.velocity(0) == 0.0
-    (stop,) = [each for each in c.log.events if each.kind == "e-stop" and each.time > 0.0]
-    assert (stop.time, stop.axis, stop.text) == (3.0, 0, "input 3 is off")
-
-
-def test_an_output_may_switch_an_input_on_at_a_value_of_its_own() -> None:
-    c = machine(input=[{"channel": 5, "output": 1}])
-    assert changes(c) == []
-    c.set_output(1, 1)
-    c.set_output(2, 1)
-    c.set_output(1, 0)
-    c.clock.advance(1.0)
-    assert changes(c) == [(0.0, 5, 1), (0.0, 5, 0)]
-
-
-def test_encoders_run_from_their_time_on() -> None:
-    c = machine(
-        encoder=[
-            {"channel": 2, "velocity": 10.0, "accel": 20.0, "at": 1.0},
-            {"aux": 1, "velocity": -4.0, "index_every": 3.0},
-        ]
-    )
-    c.clock.advance(2.0)
-    assert c.encoder_position(2) == pytest.approx(2.5 + 5.0)
-    assert c.encoder_position(1001) == -8.0
-    assert (c.encoder(1001).index_every, c.encoder(2).index_every) == (3.0, 0.0)
 
 
 def test_a_sensor_along_the_travel_in_user_units() -> None:

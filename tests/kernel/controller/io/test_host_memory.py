@@ -147,20 +147,3 @@ def test_registers_from_an_odd_one_to_an_even_one_change_two_halves() -> None:
         -1,
     ]
     assert memory.registers("netdata", 7, 3) == [0x8000, 0x7FFF, 0xFFFF]
-
-
-def test_how_values_of_the_machine_file_are_stored() -> None:
-    """An integer in the comms array is a float unless it says otherwise."""
-    controller, memory = Controller(1), HostMemory()
-    clock = controller.clock
-    clock.advance(2.0)
-    entries: list[tuple[str, dict[str, object]]] = [
-        ("comms", {"element": 1, "value": 3}), ("comms", {"element": 2, "value": 3, "as": "integer"}),
-        ("netdata", {"element": 1, "value": -3}), ("netdata", {"element": 2, "value": 3.0}),
-    ]  # fmt: skip
-    for area, entry in entries:
-        memory.schedule(controller, area, entry)
-    assert memory.real("comms", 1) == 0.0
-    clock.advance(2.0)
-    assert (memory.real("comms", 1), memory.integer("comms", 2)) == (3.0, 3)
-    assert (memory.integer("netdata", 1), memory.real("netdata", 2)) == (-3, 3.0)

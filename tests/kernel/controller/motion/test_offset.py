@@ -5,7 +5,7 @@ The rates of the slave are 100 counts/s2, so a change of its speed by 10 takes 0
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from math import inf
 
 import pytest
 
@@ -115,29 +115,6 @@ def test_an_offset_too_short_for_the_bound_reports_success() -> None:
     assert c.offset_status(1) == FAST
 
 
-def test_an_offset_that_is_resumed_stays_below_the_highest_speed() -> None:
-    """5 counts/s of MAXSPEED are free: 5 counts take 1.05 s; half of them are left."""
-    c = moving({"max_speed": 15.0})
-    offset(c, 1, 5.0, 1)
-    until(c, 1.5).suspend(1)
-    until(c, 3.0).resume(1)
-    until(c, 3.2)
-    assert c.velocity(1) == pytest.approx(15.0)
-    until(c, 5.0)
-    assert c.offset_remaining(1) == 0.0
-    assert c.velocity(1) == pytest.approx(10.0)
-
-
-def test_the_trapezoid_of_mode_3() -> None:
-    """v = 2 d / (t + sqrt(t2 - 4 d / 100)) for 3.99 counts in 0.4 s."""
-    c = moving()
-    offset(c, 1, 3.99, 3, 4.0)
-    until(c, 1.2)
-    assert c.velocity(1) == pytest.approx(10.0 + 2.0 * 3.99 / (0.4 + sqrt(0.16 - 0.04 * 3.99)))
-    until(c, 1.5)
-    assert c.position(1) - c.position(0) == pytest.approx(3.99)
-
-
 def test_times_at_which_so_much_is_left() -> None:
     """Of 5 counts 0.5 are covered in the first 0.1 s, then 10 a second."""
     c = moving()
@@ -148,15 +125,3 @@ def test_times_at_which_so_much_is_left() -> None:
     until(c, 1.2)
     assert c.offset_crossing_time(1, 2.5) == pytest.approx(1.3)
     assert c.offset_crossing_time(1, 4.5) == inf
-
-
-def test_an_offset_at_rest_of_a_master_needs_its_speed() -> None:
-    c = machine()
-    c.gear(1, 0, 1.0)
-    for mode in (2, 3):
-        offset(c, 1, 5.0, mode, 20.0)
-        assert c.offset_status(1) == PROFILE
-    offset(c, 1, 5.0, 0)
-    assert c.offset_status(1) == 0
-    until(c, 2.0)
-    assert c.position(1) == pytest.approx(5.0)

@@ -16,40 +16,6 @@ def ready(axes: int = 2) -> Controller:
     return controller
 
 
-def test_a_cam_waits_for_go_and_begins_where_both_axes_are() -> None:
-    controller = ready()
-    controller.jog(0, 10.0)
-    controller.load_cam(1, 0, lambda start: ([0.0, 10.0, 20.0], [start, start + 5.0, start + 4.0]))
-    controller.clock.advance(1.0)
-    assert controller.position(1) == 0.0
-    begin = controller.position(0)
-    controller.go([1])
-    controller.clock.advance(1.0 + 1.5)
-    assert controller.position(0) == pytest.approx(begin + 15.0)
-    assert controller.position(1) == pytest.approx(4.5)
-    assert controller.cam_index(1) == 1
-    controller.clock.advance(4.0)
-    assert controller.is_idle(1)
-
-
-def test_a_table_is_read_again_for_every_cycle() -> None:
-    controller, heights = ready(), [5.0, 7.0, 1.0]
-
-    def table(start: float) -> tuple[list[float], list[float]]:
-        height = heights.pop(0)
-        return [0.0, 10.0, 20.0], [start, start + height, start]
-
-    controller.load_cam(1, 0, table, cyclic=True)
-    controller.go([1])
-    controller.jog(0, 10.0)
-    peaks = []
-    for cycle in range(2):
-        at = controller.crossing_time(0, 20.0 * cycle + 10.0)
-        controller.clock.advance(at)
-        peaks.append(controller.position(1))
-    assert peaks == [pytest.approx(7.0), pytest.approx(1.0)]  # the first call was the check at loading
-
-
 def climbing(segments: int, cycles: int) -> Controller:
     """Return a controller after some cycles of a cam that rises as far as its master.
 
@@ -104,33 +70,6 @@ def test_a_bad_table_is_refused_when_it_is_loaded() -> None:
     assert controller.room(1) == 4
 
 
-def test_offsets_of_the_buffer_come_one_after_the_other_on_top_of_following() -> None:
-    controller = ready()
-    controller.gear(1, 0, 1.0)
-    controller.jog(0, 50.0)
-    controller.clock.advance(1.0)
-    controller.load_offset(1, 10.0)
-    controller.load_offset(1, -4.0)
-    before = controller.position(1) - controller.position(0)
-    controller.go([1])
-    controller.clock.advance(1.0 + 0.2)
-    assert controller.position(1) - controller.position(0) == pytest.approx(before + 10.0)
-    assert controller.room(1) == 4  # the second one has begun
-    controller.clock.advance(2.0)
-    assert controller.position(1) - controller.position(0) == pytest.approx(before + 6.0)
-    assert controller.velocity(1) == pytest.approx(50.0)
-
-
-def test_an_offset_of_an_axis_without_a_master_is_a_move() -> None:
-    controller = ready()
-    controller.load_by(0, 20.0)
-    controller.load_offset(0, 10.0)
-    controller.go([0])
-    controller.clock.advance(5.0)
-    assert controller.position(0) == 30.0
-    assert controller.is_idle(0)
-
-
 def test_points_begin_where_the_move_before_it_ends_and_again_and_again() -> None:
     controller = ready()
 
@@ -147,37 +86,6 @@ def test_points_begin_where_the_move_before_it_ends_and_again_and_again() -> Non
     controller.clock.advance(end + 9.0)
     assert controller.is_idle(0)
     assert controller.room(0) == 4
-
-
-def test_outputs_between_the_segments_of_a_shear_do_not_hold_it_up() -> None:
-    controller = ready()
-    controller.load_fly(1, 0, 5.0, 10.0)
-    controller.load_output(1, {3: 1.0})
-    controller.load_fly(1, 0, 5.0, 10.0)
-    controller.go([1])
-    controller.jog(0, 10.0)
-    controller.clock.advance(controller.crossing_time(0, 9.9))
-    assert controller.output(3) == 0
-    controller.clock.advance(controller.crossing_time(0, 10.1))
-    assert controller.output(3) == 1
-    assert controller.velocity(1) == pytest.approx(10.0, rel=0.02)
-    controller.clock.advance(controller.crossing_time(0, 20.1))
-    assert controller.position(1) == pytest.approx(10.0)
-
-
-def test_limits_hold_for_single_moves_and_jogs() -> None:
-    controller = ready(1)
-    controller.configure(0, "max_speed", 40.0)
-    controller.configure(0, "max_accel", 400.0)
-    controller.load_by(0, 100.0)
-    controller.go([0])
-    profile = controller.log.moves[0].profile
-    assert profile is not None
-    assert profile.peak_speed == 40.0
-    assert profile.phases[0].duration == pytest.approx(0.1)
-    controller.jog(0, -500.0)
-    controller.clock.advance(2.0)
-    assert controller.velocity(0) == -40.0
 
 
 def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
@@ -202,41 +110,3 @@ def test_outputs_between_paths_do_not_hold_up_the_run() -> None:
     assert controller.is_idle(1)
     assert controller.position(1) == 50.0
     assert controller.log.moves[-1].start_time == pytest.approx(0.55)
-
-
-@pytest.mark.parametrize("cyclic", [False, True])
-def test_a_cam_behind_a_move_with_a_new_end_begins_there(cyclic: bool) -> None:
-    """The move ends at 12 instead of 10; the cam rises by 4 in 20 of its master."""
-    controller = ready()
-    controller.load_to(1, 10.0)
-    controller.load_cam(1, 0, lambda start: ([0.0, 20.0], [start, start + 4.0]), cyclic=cyclic)
-    controller.go([1])
-    controller.clock.advance(0.1)
-    controller.retarget_to(1, 12.0)
-    if not cyclic:
-        controller.load_by(1, 3.0)
-        assert controller.axes[1].buffer[-1].target == 19.0
-        controller.go([1])
-    controller.clock.advance(2.0)
-    assert controller.target(1) == (INFINITY if cyclic else 16.0)
-    controller.move_to(0, 20.0)
-    controller.clock.advance(5.0)
-    assert controller.position(1) == pytest.approx(16.0 if cyclic else 19.0)
-
-
-def test_points_that_are_prolonged_in_a_suspension_have_the_end_of_the_next_ones() -> None:
-    """Suspended at 0.95 s of 1 s, the playback stops at 1.05 s, in the next points."""
-    controller = ready()
-    controller.configure(0, "suspend_time", 0.2)
-
-    def make(start: float) -> tuple[list[float], list[float], list[float]]:
-        return [start, start + 1.0, start + 2.0], [0.0, 0.0, 0.0], [0.5, 0.5]
-
-    controller.load_points(0, make, make)
-    controller.go([0])
-    assert controller.target(0) == 2.0
-    controller.clock.advance(0.95)
-    controller.suspend(0)
-    assert controller.target(0) == 4.0
-    controller.clock.advance(2.0)
-    assert 2.0 < controller.position(0) < 3.0

@@ -7,10 +7,8 @@ from typing import Any
 
 import pytest
 
-from motionlang.kernel import Controller, Rejected
-from tests.kernel.controller.machines import machine, until
-
-INFINITY = float("inf")
+from motionlang.kernel import Controller
+from tests.kernel.controller.machines import until
 
 
 def plane(axes: int = 2, **settings: float | str) -> Controller:
@@ -41,36 +39,6 @@ def path_speed(c: Controller, time: float) -> float:
 # ------------------------------------------------------------------------------------------------- lines
 
 
-def test_a_path_waits_until_all_its_axes_are_ready() -> None:
-    c = plane()
-    c.load_by(1, 50.0)  # 0.2 s: 1 unit
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0, 1])
-    assert until(c, 0.1).is_idle(0)
-    until(c, 2.0)
-    assert c.log.moves[1].start_time == c.log.moves[2].start_time == pytest.approx(0.2)
-    assert positions(c) == [3.0, 5.0]
-
-
-def test_a_path_takes_an_entry_in_each_buffer() -> None:
-    c = plane(3, buffer_size=2)
-    c.load_line_by([0, 1], [300.0, 200.0])
-    assert [c.room(axis) for axis in c.axes] == [1, 1, 2]
-    c.load_by(1, 1.0)
-    with pytest.raises(Rejected, match="axis 1 is full"):
-        c.load_line_by([0, 1], [300.0, 200.0])
-    assert [c.room(axis) for axis in c.axes] == [1, 0, 2]
-
-
-@pytest.mark.parametrize(
-    ("axes", "code"), [([0], "axis"), ([0, 0], "axis")]
-)  # fmt: skip
-def test_a_path_needs_different_axes(axes: list[int], code: str) -> None:
-    with pytest.raises(Rejected) as rejected:
-        plane().load_line(axes, [1.0] * len(axes))
-    assert rejected.value.code == code
-
-
 # --------------------------------------------------------------------------------------------------- arcs
 
 
@@ -85,44 +53,7 @@ def test_a_full_circle_ends_where_it_began_to_the_last_bit() -> None:
 # ------------------------------------------------------------------------------- stop, suspend, abort, faults
 
 
-def test_an_axis_on_a_path_takes_no_moves_of_its_own() -> None:
-    c = plane()
-    c.load_line_by([0, 1], [300.0, 200.0])
-    c.go([0])
-    until(c, 0.3)
-    for verb in ("move_to", "jog", "retarget_to", "define_position"):
-        with pytest.raises(Rejected) as rejected:
-            getattr(c, verb)(1, 5.0)
-        assert rejected.value.code == "moving"
-    assert positions(until(c, 3.0)) == [3.0, 4.0]
-
-
 # ------------------------------------------------------------------------------------------------ contours
-
-
-def test_a_path_released_under_way_prolongs_the_contour() -> None:
-    c = plane(contour_mode=True, contour_angle=1.0)
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.go([0])
-    until(c, 0.2)
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.go([0])
-    until(c, 9.0)
-    assert c.axes[0].starts[-1] == pytest.approx(0.9)
-    assert path_speed(c, 0.45) == pytest.approx(10.0)
-    assert positions(c) == [8.0, 0.0]
-
-
-def test_a_path_released_while_braking_is_still_taken_up() -> None:
-    c = plane(contour_mode=True, contour_angle=1.0)
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.go([0])
-    until(c, 0.45)  # 5 units/s, slowing down to rest at 0.5 s
-    c.load_line_by([0, 1], [400.0, 0.0])
-    c.go([0])
-    until(c, 9.0)
-    assert path_speed(c, 0.5) == pytest.approx(10.0)
-    assert positions(c) == [8.0, 0.0]
 
 
 def test_stop_runs_on_over_the_join_where_it_must() -> None:
@@ -138,18 +69,6 @@ def test_stop_runs_on_over_the_join_where_it_must() -> None:
 
 
 # ------------------------------------------------------------------------------------------------- blends
-
-
-def test_a_watch_sees_a_path_pass() -> None:
-    c = machine(2, buffer_size=9)
-    seen: list[float] = []
-    c.watch(1, 5.0, lambda direction: seen.append(c.clock.now * direction))
-    c.load_arc([0, 1], [10.0, 0.0], -180.0, (), True)  # up to 10 on axis 1 and back
-    c.go([0])
-    until(c, 99.0)
-    whole = 10.0 * math.pi / 10.0 + 0.1
-    first = 0.05 + (10.0 * math.pi / 6.0) / 10.0
-    assert seen == pytest.approx([first, -(whole - first)])
 
 
 def contour() -> Controller:
@@ -175,15 +94,6 @@ def rows(c: Controller) -> list[Any]:
         found[move.axis].append((move.line, move.start_time, move.profile.duration, distance, move.ended))
     assert found[1] == [(row[0], *(pytest.approx(each) for each in row[1:4]), row[4]) for row in found[0]]
     return found[0]
-
-
-def slow_in_the_middle(c: Controller) -> None:
-    """Load the same contour with 50 units/s² for the second path."""
-    c.abort(0)
-    for line, (speed, decel) in enumerate(((1000.0, None), (500.0, 5000.0), (1000.0, None)), 1):
-        c.load_line_by([0, 1], [300.0, 200.0], "VECTORR", line)
-        c.axes[0].buffer[-1].speed, c.axes[0].buffer[-1].rates = speed, (None, decel)
-    c.go([0])
 
 
 CHANGES: dict[str, tuple[list[tuple[float, str, tuple[object, ...]]], list[Row], float]] = {
@@ -229,33 +139,3 @@ def test_a_contour_and_its_log_after_a_change(name: str) -> None:
     assert (c.position(0), c.position(1)) == pytest.approx((end * 60.0, end * 40.0))
     assert (c.target(0), c.target(1)) == (c.position(0), c.position(1))
     assert (c.is_idle(0), c.is_idle(1), c.room(0)) == (True, True, 20)
-
-
-def test_a_stop_is_delayed_to_a_path_that_must_not_be_entered_faster() -> None:
-    """At 0.505 s 4.55 are done.
-
-    At 50 units/s² the stop would enter the second path at 7.4 units/s. So it slows down to 5 units/s as planned, and
-    rests 0.1 s and 0.25 later.
-    """
-    c = plane(contour_mode=True, contour_angle=10.0)
-    slow_in_the_middle(c)
-    until(c, 0.505).stop(0)
-    assert path_speed(until(c, 0.6624), 0.6624) == pytest.approx(0.005)
-    assert until(c, 0.6626).is_idle(0)
-    assert positions(c) == pytest.approx([3.15, 4.2])
-    assert rows(c)[-2:] == [
-        (1, 0.0, pytest.approx(0.5625), pytest.approx(5.0), ""),
-        (2, pytest.approx(0.5625), pytest.approx(0.1), pytest.approx(0.25), "stop"),
-    ]
-
-
-def test_a_suspended_contour_says_where_it_rests() -> None:
-    c = contour()
-    until(c, 0.5125).suspend(1)
-    assert c.path_speed(0) == pytest.approx(10.0)
-    until(c, 0.58)
-    assert (c.target(0), c.target(1)) == (600.0, 400.0)
-    assert c.path_speed(0) == pytest.approx(3.25)
-    until(c, 0.9)
-    assert c.path_speed(0) == pytest.approx(0.0)
-    assert c.idle_time(0) == INFINITY

@@ -43,36 +43,6 @@ def test_each_edge_is_passed_at_its_time_in_both_directions() -> None:
     assert [time for time, *_ in found[:2]] == pytest.approx([1.0, 1.25])
 
 
-def test_a_move_that_ends_on_one_edge_next_to_another_misses_neither() -> None:
-    c = machine([11.0, 12.0, 13.0])
-    c.move_to(0, 12.0)
-    c.clock.advance(5.0)
-    c.move_to(0, 14.0)
-    c.clock.advance(10.0)
-    assert [each[1:] for each in changes(c)] == [(0, 1), (0, 0), (1, 1), (1, 0)]
-
-
-def test_edges_stay_where_the_machine_has_them() -> None:
-    c = machine([6.0, 50.0])
-    c.define_position(0, 100.0)
-    c.move_to(0, 112.0)
-    c.clock.advance(5.0)
-    ((time, zone, value),) = changes(c)
-    assert (zone, value) == (0, 1)
-    assert time == pytest.approx(1.0)
-
-
-def test_a_new_position_at_rest_passes_no_edge_and_a_motion_back_passes_all() -> None:
-    c = machine([1.0, 2.0], every=4.0, times=3)
-    c.jog(0, 8.0)
-    c.clock.advance(2.0)
-    assert [value for *_, value in changes(c)] == [1, 0, 1, 0, 1, 0]
-    assert changes(c)[0][0] == pytest.approx((2.0 * 1.0 / 16.0) ** 0.5)
-    c.jog(0, -8.0)
-    c.clock.advance(9.0)
-    assert [value for *_, value in changes(c)] == [1, 0] * 6
-
-
 # No edge is where the axis begins or where a move ends.
 EDGES = st.lists(st.integers(-40, 40).filter(bool), min_size=2, max_size=6, unique=True).map(sorted)
 MOVES = st.lists(st.tuples(st.integers(-50, 50), st.integers(1, 60)), min_size=1, max_size=6)
