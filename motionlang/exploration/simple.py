@@ -104,12 +104,14 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
         # Of the two branches of a judgement the one that goes further is right.
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
-        settings = (_with(first.settings, each, ON) for each in off)
+        rules = [{**ON}, *_followed(first.run)]
+        settings = (_with(first.settings, each, rule) for each, rule in product(off, rules))
         flipped = [_tried(explorer, each, least) for each in settings if explorer.has_work]
         first = max(
             (first, *(each for each in flipped if _judges(explorer, first, each))),
             key=lambda each: each.value,
         )
+        first = _without_needless(explorer, first, least)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
@@ -155,14 +157,25 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
             best, world = climbed, other
     if best.is_good < first.is_good or best.value < first.value + MORE:
         return found
-    best = _within_limits(explorer, channels, best, least)
+    best = _without_needless(explorer, _within_limits(explorer, channels, best, least), least)
     return world._replace(settings=best.settings, run=best.run)
+
+
+def _without_needless(explorer: Explorer, first: Tried, least: int) -> Tried:
+    """Return a run without the inputs without which it only says less, such as a stop button."""
+    given = (number_in("input", each) for each in entries(first.settings, "input"))
+    for channel in dict.fromkeys(("input", number) for number in given):
+        less = _tried(explorer, _with(first.settings, channel, {}), least) if explorer.has_work else first
+        lost = _acts(explorer, first.run)[0].keys() - _acts(explorer, less.run)[0].keys()
+        if less.is_good and less.times >= first.times and lost and all(kind == SAID for kind, _ in lost):
+            first = less
+    return first
 
 
 def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
     """True if two runs take two branches of a judgement: each does something that the other does not, and is good."""
     mine, others = (_acts(explorer, each.run)[0].keys() for each in (one, other))
-    return other.is_good and bool(mine - others and others - mine) and one.run.status == other.run.status
+    return other.is_good and bool(mine - others and others - mine)
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
@@ -450,14 +463,19 @@ def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
         yield {**COUNTED}
     yield from _marks(run, explorer.marks.get(channel[1], ()))
     yield from simple
-    for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
-        yield {"output": output, "delay": SOON}
-        yield {"output": output, "delay": SOON, "value": 0}
+    yield from _followed(run)
     for axis, way in _ways(run).items():
         middle = round((min(way.places) + max(way.places)) / 2, 2)
         yield {"axis": axis, "above": middle}
         yield {"axis": axis, "below": middle}
     yield from _marks(run, (0.5,))
+
+
+def _followed(run: Run) -> Iterator[Entry]:
+    """Yield the rules of a sensor behind each output, on with it and on without it."""
+    for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
+        yield {"output": output, "delay": SOON}
+        yield {"output": output, "delay": SOON, "value": 0}
 
 
 def _marks(run: Run, shares: Iterable[float]) -> Iterator[Entry]:
