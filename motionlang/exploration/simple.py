@@ -102,16 +102,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         tables = ((table, each) for table in ("input", "analogue") for each in entries(first.settings, table))
         often = Counter((table, number_in(table, each)) for table, each in tables)
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
-        # Of the two branches of a judgement the one that goes further is right.
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
-        rules = [{**ON}, *_followed(first.run)]
-        settings = (_with(first.settings, each, rule) for each, rule in product(off, rules))
-        flipped = [_tried(explorer, each, least) for each in settings if explorer.has_work]
-        first = max(
-            (first, *(each for each in flipped if _judges(explorer, first, each))),
-            key=lambda each: each.value,
-        )
-        first = _without_needless(explorer, first, least)
+        first = _without_needless(explorer, _right_branch(explorer, off, first, least), least)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
@@ -159,6 +151,15 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         return found
     best = _without_needless(explorer, _within_limits(explorer, channels, best, least), least)
     return world._replace(settings=best.settings, run=best.run)
+
+
+def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, least: int) -> Tried:
+    """Return the run that goes further of those that take another branch of a judgement by one more input."""
+    rules = [{**ON}, *_followed(first.run)]
+    settings = (_with(first.settings, each, rule) for each, rule in product(off, rules))
+    flipped = [_tried(explorer, each, least) for each in settings if explorer.has_work]
+    found = (first, *(each for each in flipped if _judges(explorer, first, each)))
+    return max(found, key=lambda each: each.value)
 
 
 def _without_needless(explorer: Explorer, first: Tried, least: int) -> Tried:
