@@ -222,25 +222,28 @@ class Exploration:
     def cut_off(self) -> dict[Change, set[int]]:
         """Return the changes in the middle of a move that cut off moves, with the lines of these moves.
 
-        A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out. So is a
-        change that has only done so beside another one that does.
+        A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out, and what
+        the cycle cuts off. Of several changes each is charged with what none of the others cuts off by itself.
         """
-        usual, done, alone = set[int](), set[int](), set[Change]()
-        found: dict[Change, set[int]] = defaultdict(set)
+        usual, done = set[int](), set[int]()
+        trials: list[tuple[set[Change], set[Change], set[int]]] = []
         for each in (each for node in self.nodes for each in node.transitions):
             cut = {line for line, ended in each.does.moves if ended}
-            changes = [one for one in each.causes if one.moment.line]
-            usual |= set() if changes else cut
-            done |= set() if changes else each.done
-            for one in changes:
-                found[one._replace(prompt="", moment=AT_REST)] |= cut
+            changes = {one._replace(prompt="", moment=AT_REST) for one in each.causes if one.moment.line}
+            if changes:
+                trials.append((changes, {one._replace(moment=AT_REST) for one in each.causes}, cut))
+            else:
+                usual, done = usual | cut, done | each.done
         usual -= done
-        found = {one: cut - usual for one, cut in found.items() if cut - usual}
-        for each in (each for node in self.nodes for each in node.transitions):
-            made = {one._replace(prompt="", moment=AT_REST) for one in each.causes} & found.keys()
-            is_alone = len({one.channel for one in made}) == 1
-            alone |= made if is_alone and any(ended for _, ended in each.does.moves) else set()
-        return {one: cut for one, cut in found.items() if one in alone}
+        for each in self.world.cycle.transitions:
+            usual |= {line for line, ended in each.does.moves if ended}
+        movable = set[Change]().union(*(changes for changes, *_ in trials))
+        found: dict[Change, set[int]] = defaultdict(set)
+        for changes, made, cut in sorted(trials, key=lambda trial: len(trial[1] & movable)):
+            for one in changes:
+                others = (found[other] for other in made & movable if other.channel != one.channel)
+                found[one] |= cut - usual - set[int]().union(*others)
+        return {one: cut for one, cut in found.items() if cut}
 
     def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
         """Return what the tasks that work do in a trial from a time on, in order."""
