@@ -55,11 +55,15 @@ _REVERSED = re.compile(
 _UNIT = "(?:mm|s|ms|sec(?:ond)?s?|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A|%)"
 # A number behind a word, two blanks, a sign or one blank, with the sign and the letter behind it: "IN 0 -", "OUT(0) =".
 _ITEM = re.compile(
-    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:/]\s))|(?<=\s))(?:{_KIND})(?: ch(?=[ .#]*\d))?"
-    r"(?(starts)[ .:#=(]*|[.:#=(]* ?)"
-    r"|(?P<wide>^\s*|(?<!\s)\s\s+)#?|(?P<sign>[,;|*]\s*|[./]\s)|\s)(?P<number>\d{1,3})"
+    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:/]\s))|(?<=\s))(?:{_KIND})"
+    r"(?(starts)(?:\s+(?:ch|bit)(?=[ .#]*\d))?[ .:#=(]*|[.:#=(]* ?)"
+    r"|(?P<wide>^\s*|(?<!\s)\s\s+)(?:#|bit )?|(?P<sign>[,;|*]\s*|[./]\s)|\s)(?P<number>\d{1,3})"
     rf"(?:\)?\s*(?P<equal>=)\s*|\)?\s*(?:[-:|]|\.+)\s*|\)?\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[A-Za-z])?",
     re.IGNORECASE,
+)
+# A range of numbers, "8..11", "DI8..DI11", "8-11", or a list that counts on, "8,9,10".
+_RANGE = re.compile(
+    r"(?<![\d.,-])(\d{1,3})(?:\s?(?:\.\.+|-)\s?[A-Za-z/]{0,5}\d{1,3}|(?:,\s?\d{1,3})+)(?=\s[A-Za-z])"
 )
 # Where the name ends: at two blanks, a sign, a bracket, a number with a unit, a range, or the value of a number.
 _END = re.compile(
@@ -107,7 +111,7 @@ class _Item:
 
     `end` is the column of the next item that is certain. `kind` is that of the word before the number, which is at
     column `start`; without a word it is empty. A word or two blanks begin a cell of a table. A number behind one blank
-    `is_loose`: it may be part of a name.
+    `is_loose`: it may be part of a name. Of a range, such as 8..11, `last` is its end.
     """
 
     line: int
@@ -116,6 +120,7 @@ class _Item:
     at: int
     begin: int
     number: int
+    last: int
     kind: str
     begins_cell: bool
     is_loose: bool
@@ -136,7 +141,7 @@ class _List:
     column: int = -1
 
     def is_continued_by(self, item: _Item) -> bool:
-        return bool(self.items) and item.number == self.items[-1].number + 1
+        return bool(self.items) and item.number == self.items[-1].last + 1
 
 
 @dataclass(eq=False, slots=True)
@@ -272,8 +277,9 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
             for (item, kind, text), is_a in zip(named, letters, strict=True)
         ]
     found += (
-        (item.line, item.at, Named(kind, item.number, text, item.line))
+        (item.line, item.at, Named(kind, number, text, item.line))
         for item, kind, text in _without_values(named)
+        for number in range(item.number, item.last + 1)
     )
     return [each for *_, each in sorted(found, key=lambda each: each[:2])]
 
@@ -321,6 +327,8 @@ def _items(line: int, text: str, filled: Collection[int]) -> list[_Item]:
     In the middle of a text the words look like the one at its start.
     """
     outside = _BRACKETS.sub(lambda brackets: "(" * len(brackets[0]), text)
+    ranges = {each.start(): _last(each) for each in _RANGE.finditer(outside)}
+    outside = _RANGE.sub(lambda one: one[1].ljust(len(one[0])) if _last(one) else one[0], outside)
     found: list[_Item] = []
     style: bool | None = None
     for match in _ITEM.finditer(outside):
@@ -334,13 +342,23 @@ def _items(line: int, text: str, filled: Collection[int]) -> list[_Item]:
         is_loose = not begins_cell and match["sign"] is None
         begin = match.start("name") if match["name"] else len(text)
         number, has_equal = int(match["number"]), match["equal"] is not None
-        found.append(_Item(line, text, start, at, begin, number, kind, begins_cell, is_loose, has_equal))
-    if not any(each.kind for each in found) and outside[: found[0].at if found else 0].strip(" #"):
+        last = ranges.get(at) or number
+        found.append(
+            _Item(line, text, start, at, begin, number, last, kind, begins_cell, is_loose, has_equal)
+        )
+    if not any(each.kind for each in found) and outside[: found[0].at if found else 0].strip(" #bit"):
         return []
     end = len(text)
     for item in reversed(found):
         item.end, end = end, end if item.is_loose else item.start
     return found
+
+
+def _last(match: re.Match[str]) -> int:
+    """Return the last number of a range or of a list that counts on, 0 for anything else."""
+    numbers = [int(each) for each in re.findall(r"\d+", match[0])]
+    counts_on = numbers == list(range(numbers[0], numbers[0] + len(numbers)))
+    return numbers[-1] if numbers[0] < numbers[-1] and (counts_on or "," not in match[0]) else 0
 
 
 def _kind(match: re.Match[str]) -> str:
@@ -383,7 +401,7 @@ def _named(one: _List, has_one_series: bool) -> Iterator[_NamedItem]:
             continue
         first = first if item.line == line else item.number
         has_gap = not item.kind and (has_gap or item.number > last + 1 > 0)
-        line, last = item.line, item.number
+        line, last = item.line, item.last
         end = following.at if following is not None and following.is_loose else item.end
         text, kind = item.text[item.begin : end], one.kind or "channel"
         if has_one_series and has_gap and kind == "input":
