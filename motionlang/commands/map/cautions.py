@@ -94,6 +94,9 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
     held = [int(one.number) for each in path for one in each.causes if one.subject in always]
     why = f"; input{'s' if len(set(held)) > 1 else ''} {ranges(set(held))} may stay on" if held else ""
+    changed = {one.subject for each in path for one in each.causes}
+    others = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
+    why += f"; played with {', '.join(others)} on" if others else ""
     yield CautionRow(
         "starts", what, f"start{'s' if ' and ' not in what and len(steps) < 2 else ''} the cycle{why}"
     )
@@ -134,12 +137,19 @@ def _alarms(
             why = "; ".join(f"{value}: {_by(known)}" for value, known in values.items())
             row[1].append(f"with {why}" if values else _by(causes))
             row[2].append(each)
-    for _, (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
+    for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
         ends = next(filter(None, (reasons.ends(each.at) for each in signs)), [])
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
         back = f"; ends by {', then '.join(each.text for each in ends)}" if ends else ""
         why = max(whys, key=lambda text: text.startswith("with "))
-        yield CautionRow("alarm", " and ".join(told), f"come{'s' * (len(told) < 2)} {why}{played}{back}")
+        verb = (
+            ("are printed" if len(told) > 1 else "is printed")
+            if is_only_said
+            else "come" + "s" * (len(told) < 2)
+        )
+        yield CautionRow(
+            "said" if is_only_said else "alarm", " and ".join(told), f"{verb} {why}{played}{back}"
+        )
 
 
 def _by(reasons: Sequence[Reason]) -> str:
