@@ -103,7 +103,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         often = Counter((table, number_in(table, each)) for table, each in tables)
         first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
-        first = _without_needless(explorer, _right_branch(explorer, off, first, least), least)
+        first = _with_less(explorer, _right_branch(explorer, off, first, least), least)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
@@ -149,7 +149,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
             best, world = climbed, other
     if best.is_good < first.is_good or best.value < first.value + MORE:
         return found
-    best = _without_needless(explorer, _within_limits(explorer, channels, best, least), least)
+    best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
     return world._replace(settings=best.settings, run=best.run)
 
 
@@ -162,13 +162,20 @@ def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, leas
     return max(found, key=lambda each: each.value)
 
 
-def _without_needless(explorer: Explorer, first: Tried, least: int) -> Tried:
-    """Return a run without the inputs without which it only says less, such as a stop button."""
-    given = (number_in("input", each) for each in entries(first.settings, "input"))
-    for channel in dict.fromkeys(("input", number) for number in given):
-        less = _tried(explorer, _with(first.settings, channel, {}), least) if explorer.has_work else first
+def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
+    """Return a run with inputs never or always on where it only says less then, such as a stop, or goes further.
+
+    They are changed one by one, and both of a condition.
+    """
+    given = dict.fromkeys(("input", number_in("input", each)) for each in entries(first.settings, "input"))
+    several = [*((each,) for each in given), *_pairs(explorer, [*given])]
+    for some, rule in product(several, ({}, {**ON})):
+        settings = reduce(partial(_with, rule=rule), some, first.settings)
+        less = _tried(explorer, settings, least) if explorer.has_work else first
         lost = _acts(explorer, first.run)[0].keys() - _acts(explorer, less.run)[0].keys()
-        if less.is_good and less.times >= first.times and lost and all(kind == SAID for kind, _ in lost):
+        only_says = less.times >= first.times and bool(lost) and all(kind == SAID for kind, _ in lost)
+        goes_further = less.value > first.value and _judges(explorer, first, less)
+        if less.is_good and (only_says or goes_further):
             first = less
     return first
 
