@@ -7,13 +7,14 @@ Idea. The program runs in simple worlds. Other inputs than those of a cycle are 
 or come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
 is worth most, until none is worth more. The channel that a run has read last may stop it, and is first.
 A program measures a part by a level: where it does at one within limits what it does at no other, that one is taken.
-It judges a part by an input: where a run does something else with it on, the branch is taken that is worth more.
+It judges a part by an input: where a run does something else with it never on, always on or behind an output, the
+branch is taken that is worth more. An input without which nothing but texts is missing, such as a stop, is off.
 
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
 
-Cost. What is left of the work of the exploration; where the world that was found is a good one, a run for each input
-that is off, and some for each level.
+Cost. What is left of the work of the exploration; where the world that was found is a good one, two runs for each
+input, for each output two more of each that is off, and some for each level.
 """
 
 from __future__ import annotations
