@@ -9,7 +9,8 @@ changes: an input to its other level, a number to the values at which the compar
     of conditions      the channels of one statement together: two of them, then three, then all that are needed
     behind             what led on, with one more channel that was read on the way, such as a look that decides, and
                        with all inputs of the way that together bring something new
-    with more          what did not lead on, with one more channel that was read only then: `A And B`, an If in an If
+    with more          what did not lead on, with one more channel that was read only then, at rest or on the way:
+                       `A And B`, an If in an If
     in a move          an input that was read while an axis moved, starts a handler or stops an axis, in its middle; at
                        first once for each line that moves an axis and what moves after it, late from each state
     as often           an input that is read again behind its change, at rest or in a move, comes and goes one to three
@@ -217,7 +218,12 @@ def _read(
     return list(found)
 
 
-def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: TriedWay) -> list[Channel]:
+def read_on_way(explorer: Explorer, trial: Trial, rest: Rest | None) -> list[Channel]:
+    """Return the channels, but for those of banks, that a trial has read on the way to a rest."""
+    return _read_before(explorer, trial, rest, None)
+
+
+def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: TriedWay | None) -> list[Channel]:
     """Return the channels that lead to a rest: those that other statements than its own have read until then."""
     until = inf if rest is None else rest.begin + BODY
     places = frozenset[int]().union(*(each.statements for each in (rest.state if rest else ())))

@@ -235,8 +235,12 @@ class Explorer:
         further: list[Iterator[Causes]] = []
         if len(causes) == 1 and questions.is_read_again(self, trial, causes[0]):
             further.append(questions.pulses(self, node, visit, causes[0], trial))
+        on_way = questions.read_on_way(self, trial, rest) if len(causes) > 1 else []
         if news or is_news or len(self.nodes) > states:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
+        elif first_read := [each for each in on_way if each not in node.on_way and each not in known]:
+            further.append(questions.with_more(self, node, visit, causes, first_read))
+        node.on_way.update(on_way)
         if is_news and any(map(is_wrong, (each.text for each in trial.part(trial.since, inf).prints))):
             # What says trouble may lack an input, such as a guard, that alone leads nowhere from here.
             leads = {each.causes[0].channel for each in node.transitions if len(each.causes) == 1}

@@ -130,6 +130,8 @@ class StateNode:
     refused: dict[Causes, tuple[Act, ...]] = field(default_factory=dict)
     # The channels that statements have read while the state lasted, by source offset.
     reads: dict[int, dict[Channel, None]] = field(default_factory=dict)
+    # The channels that statements have read behind several changes, until the next rest.
+    on_way: set[Channel] = field(default_factory=set)
     # The values of a channel at which comparisons turn here.
     solved: dict[Channel, tuple[Change, ...]] = field(default_factory=dict)
     # What was tried, and what is still to be tried.
