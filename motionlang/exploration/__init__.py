@@ -174,7 +174,7 @@ class Exploration:
         self.channels = sorted(explorer.channels)
         if interrupted is not None:
             self.world = self._unplayed(interrupted)
-        elif before is not None and before._decides == self._decides:
+        elif before is not None and (before._decides == self._decides or not explorer.has_work):
             self.world = before.world
         else:
             self.world = self.world_of(self.cycles)

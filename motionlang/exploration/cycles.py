@@ -38,6 +38,8 @@ JOGGING = 10.0
 # A cycle that says something in words, and nothing of what is wrong, makes a piece, and the more so if it says what is
 # right; the more of it is wrong, the less it counts.
 SAID, RIGHT, WRONG = 2.0, 0.5, 20.0
+# A cycle that says nothing is part of one that says something, does more, and has less of a value by so much at most.
+PIECE = 5.0
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
@@ -158,7 +160,14 @@ def cycles(
     ):
         best.setdefault((each.repeats, frozenset(each.states) if each.states else each.work), each)
     menus = {each.transitions[-1].source for each in best.values() if _ends_menu(each)}
-    return [each for each in best.values() if not (each.repeats and menus.intersection(each.asked))]
+    left_over = [each for each in best.values() if not (each.repeats and menus.intersection(each.asked))]
+    pieces = [each for each in left_over if each.repeats and each.said and not wrong(each.said)]
+    return sorted(left_over, key=lambda each: _is_part(each, pieces))
+
+
+def _is_part(one: MachineCycle, pieces: Iterable[MachineCycle]) -> bool:
+    """True if a cycle says nothing, and another one that does makes the same moves and more."""
+    return not one.said and any(one.work < each.work and one.value - each.value < PIECE for each in pieces)
 
 
 def _ends_menu(cycle: MachineCycle) -> bool:

@@ -90,6 +90,8 @@ def played(
     choices = sum(map(len, policy.values()))
     for turn in range(SLOW * (times * choices + EXTRA)):
         often = count(cycle, trial)
+        if not explorer.has_work:
+            break
         if turn >= (times if often else NEVER) * choices + EXTRA and not 0 < often < times:
             break
         found = explorer.rests(trial)
