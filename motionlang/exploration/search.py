@@ -315,9 +315,10 @@ class Explorer:
                         source.refused.setdefault(how, self.acts(self.part(trial, since, rest.begin)))
                 is_over |= rest.end < inf and rest.end > back.end - SHORTEST_REST
                 did = [*self._handled(trial, since, rest.end), *_jogs(trial, since, rest.end)] if how else []
-                if how and is_news and rest.question is None:
+                if how and is_news:
+                    asks = self.handlers.union(*(place.statements for place in rest.state))
                     said = self.part(trial, since, rest.end).prints
-                    did += [each.time for each in said if each.at not in self.handlers]
+                    did += [each.time for each in said if each.at not in asks]
                 if did:
                     self._link(source, back, how, rest.state, trial, since, max(did), known, is_over)
                 continue  # the same stay
