@@ -171,7 +171,8 @@ GO = " : GO(0) : PAUSE IDLE(0)"
 COUNT = LOOP.format('  n = n + 1\n  If n = 60 Then PRINT "full" : n = 0')
 VERDICTS = [
     # Two inputs that decide together; a level that nothing waits for, and one that a speed depends on.
-    (LOOP.format(f"  If INX(2) And INX(3) Then MOVER(0) = 7{GO}"), "= 7", "= 8", "in the world of init: A axis 0"),
+    (LOOP.format(f"  If INX(2) And INX(3) Then MOVER(0) = 7{GO}"), "= 7", "= 8",
+     "start; input 1 on and input 2 on and input 3 on: A axis 0"),
     ("Loop\n  If ADC(0) > 60 Then OUTX(1) = 1 Else OUTX(1) = 0\n  WAIT(20)\nEnd Loop\n", "60", "62",
      "start; analogue input 0 = 62: A output 1 on"),
     (LOOP.format(f"  SPEED(0) = 20 + ADC(0) * 10\n  MOVER(0) = 100{GO}"), "* 10", "* 12", "with analogue input 0 "),
