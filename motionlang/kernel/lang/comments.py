@@ -34,7 +34,7 @@ from motionlang.kernel.source import Source
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
     "input": r"d?i|[ex](?=\d)|i/?p|in(?:p(?:ut)?)?s?x?|din",
-    "output": r"d?[oq]|y(?=\d)|rly|relays?|o/?p|out(?:p(?:ut)?)?s?x?|dout",
+    "output": r"d?[oq]|[ys](?=\d)|rly|relays?|o/?p|out(?:p(?:ut)?)?s?x?|dout",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|i/o",
     "analogue input": r"a(?=\d)|a/d|adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
@@ -269,13 +269,7 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
                 (line, at, Named(kind, number, name, line)) for at, kind, number, name in _reversed(text)
             )
     named = [one for each in lists.all for one in _named(each, language.has_one_series)]
-    # In German an input is E0 (Eingang), and an output A0 (Ausgang).
-    if any(item.kind and item.text[item.start].upper() == "E" for item, *_ in named):
-        letters = (item.text[item.start : item.at].strip().upper() == "A" for item, *_ in named)
-        named = [
-            (item, "output" if is_a else kind, text)
-            for (item, kind, text), is_a in zip(named, letters, strict=True)
-        ]
+    named = _in_its_language(named)
     found += (
         (item.line, item.at, Named(kind, number, text, item.line))
         for item, kind, text in _without_values(named)
@@ -411,6 +405,20 @@ def _named(one: _List, has_one_series: bool) -> Iterator[_NamedItem]:
         name = _name(text)
         if name and not _SENTENCE.match(name):
             yield item, kind, shorten(name, MAX_NAME, placeholder="")
+
+
+def _in_its_language(named: Sequence[_NamedItem]) -> list[_NamedItem]:
+    """Tell outputs by their letter: E0 has A0 beside it in German (Ausgang), and S0 in French (sortie)."""
+    letters = [
+        item.text[item.start : item.at].strip(" .:#=(").upper() if item.kind else "" for item, *_ in named
+    ]
+    if "E" not in letters:
+        return [each for each, letter in zip(named, letters, strict=True) if letter != "S"]
+    outputs = "S" if "S" in letters else "A"
+    return [
+        (item, "output" if letter == outputs else kind, text)
+        for (item, kind, text), letter in zip(named, letters, strict=True)
+    ]
 
 
 def _without_values(named: Iterable[_NamedItem]) -> Iterator[_NamedItem]:
