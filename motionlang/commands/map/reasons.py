@@ -3,7 +3,8 @@
 Each point of the graph has guards: the sides of branches that decide whether the program comes there. They are carried
 forward once, in the order of the flow; where both sides of a branch meet, what guards the branch guards. A call guards
 what it calls, a handler what it does. A side is put into words from the form of its statement: channels by their names,
-a variable by the reasons of what assigns to it, a count and a clock by their numbers. Anything else is quoted.
+a variable by the reasons of what assigns to it, a count and a clock by their numbers. Anything else is quoted. A time
+in a step is told with what would have led on from it, and what holds at the start with what would have changed it.
 """
 
 from __future__ import annotations
@@ -309,10 +310,8 @@ class Reasons:
         raw = f"{self._names[subject]} {_COMPARISONS[sign][0]} {right}"
         if not subject.startswith("register"):
             return [Reason(raw, statement.line, DIRECT)]
-        line, counts = (
-            statement.line,
-            [p for p, value in self._sites.get(subject, ()) if value == f"{subject} + 1"],
-        )
+        line = statement.line
+        counts = [p for p, value in self._sites.get(subject, ()) if value == f"{subject} + 1"]
         waits = self._waited[line] if any(self._repeats(q, p) for p in counts) and sign[0] == ">" else []
         if len(waits) == 1 and _is_number(right):
             return [Reason(f"{float(right) * float(waits[0]):g} s in line {line}", 0, COUNTED)]
@@ -342,14 +341,9 @@ class Reasons:
             parts = [self._tree(each, side, q, statement) for each in (left, right)]
             if (sign == "Or") == side:
                 return [one for each in parts for one in each or [_quoted(statement, side)]]
-            # What has led to a step is no reason of what happens in it.
-            steps = [_compared_with(each) for each in (left, right)]
-            if side and any(parts[not k] and self._is_step(step) for k, step in enumerate(steps)):
-                k = int(self._is_step(steps[1]))
-                if all(each.rank == COUNTED for each in parts[not k]):
-                    without = self._without(steps[k], q)
-                    return [each._replace(words=each.words + without) for each in parts[not k]]
-                return parts[not k]
+            for step, others in ((_compared_with(left), parts[1]), (_compared_with(right), parts[0])):
+                if side and others and self._is_step(step):
+                    return self._in_step(step, others, q)
             best = max((one.rank for each in parts for one in each), default=QUOTED)
             kept = [each for each in parts if {one.rank for one in each} in ({COUNTED}, {best})]
             words = " and ".join(dict.fromkeys(" or ".join(one.words for one in each) for each in kept))
@@ -380,14 +374,17 @@ class Reasons:
         """True if a comparison is that of a variable with one of several numbers that it gets."""
         return len({value for _, value in self._sites.get(tested[0], ()) if _is_number(value)}) > 2
 
-    def _without(self, step: tuple[str, str], q: int) -> str:
-        """Return in words what would have led on from a step before a branch in it does."""
+    def _in_step(self, step: tuple[str, str], made: list[Reason], q: int) -> list[Reason]:
+        """Return the reasons of a branch in a step: what has led to the step is none, what would have led on is."""
+        if any(each.rank != COUNTED for each in made):
+            return made
         found: dict[str, None] = {}
         for p, _ in self._sites[step[0]][:MAX_SITES]:
             outer = self._guards[p][0][0] if len(self._guards[p]) == 1 else -1
             if outer >= 0 and outer != q and self._tested(self._guards[outer]) == step:
                 found |= dict.fromkeys(each.words for each in self._of(p) if each.rank == DIRECT)
-        return f" without {' or '.join(found)}" if found else ""
+        without = f" without {' or '.join(found)}" if found else ""
+        return [each._replace(words=each.words + without) for each in made]
 
     def _assigned(self, name: str, sign: str, right: str, q: int, statement: Statement) -> Iterator[Reason]:
         """Yield why a variable compares so: why it is assigned, what is counted, or what is read."""
@@ -403,8 +400,18 @@ class Reasons:
             yield Reason(self._channel(use, sign, right), statement.line, DIRECT)
             return
         numbers = [(p, value) for p, value in sites if _is_number(value)]
+        if _is_number(right):
+            yield from self._set(numbers, sign, right, q, statement)
+        before = [each for each in counts if each[0] < q][-1:] or counts[:1]
+        if before and sign[0] in ("<=" if "-" in before[0][1] else ">="):
+            yield from self._counted(before[0], numbers, sign, right)
+
+    def _set(
+        self, numbers: Sequence[tuple[int, str]], sign: str, right: str, q: int, statement: Statement
+    ) -> Iterator[Reason]:
+        """Yield why a variable is set to a number that compares so, or what would have set it to another one."""
         is_flag = sum(float(value) != 0.0 for _, value in numbers) == 1
-        holding = [(p, _holds(value, sign, right)) for p, value in numbers] if _is_number(right) else []
+        holding = [(p, _holds(value, sign, right)) for p, value in numbers]
         # What holds at 0, as at the start, has a reason only behind what has made it not hold.
         is_start = bool(holding) and _holds(0.0, sign, right)
         others = [p for p, holds in holding if not holds]
@@ -416,20 +423,18 @@ class Reasons:
                 yield from (
                     each if is_flag else each._replace(rank=min(each.rank, THROUGH)) for each in self._of(p)
                 )
-        for p, value in [each for each in counts if each[0] < q][-1:] or counts[:1]:
-            if sign[0] in ("<=" if "-" in value else ">="):
-                begin = float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
-                times = (
-                    f"{abs(float(right) - begin) + (sign in '<>'):g}"
-                    if _is_number(right)
-                    else right.strip("~")
-                )
-                if times == "0":
-                    continue
-                by = self._of(p)
-                line = self._line(p)
-                why = by[0].text if len(by) == 1 else f"line {line}"
-                yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
+
+    def _counted(
+        self, count: tuple[int, str], numbers: Sequence[tuple[int, str]], sign: str, right: str
+    ) -> Iterator[Reason]:
+        """Yield how often a variable is counted until it compares so, and why each time."""
+        p, value = count
+        begin = float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
+        times = f"{abs(float(right) - begin) + (sign in '<>'):g}" if _is_number(right) else right.strip("~")
+        by = self._of(p)
+        why = by[0].text if len(by) == 1 else f"line {self._line(p)}"
+        if times != "0":
+            yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
 
     def _assignments(self, name: str) -> list[tuple[int, str]]:
         """Return where which value is assigned to a name; for a parameter, where it is given."""
