@@ -244,7 +244,11 @@ class Reasons:
         """Return why a side is taken: a quotation or a time with the channel around it, or only what is around it."""
         if self._is_known(q, side):
             return self._of(q)
-        made = self._test(q, side)
+        made, statement = self._test(q, side), self._statement(q)
+        handlers = [each for outer in self._outside(q) if outer < 0 for each in self._test(outer, True)]
+        if handlers and statement is not None and {each.rank for each in made} == {THROUGH}:
+            # In a handler a variable only says when it acts.
+            return [each._replace(words=f"{each.words} if `{statement.condition}`") for each in handlers]
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
         # A time is told with what has led on to it, a condition with those that it stands in.

@@ -260,9 +260,7 @@ class Asking:
         self._starts[starter] = now
 
     def _is_moving(self, task: object) -> bool:
-        return any(
-            by is task and not (a.is_at_standstill or a.suspended) for a, by in self._starters.items()
-        )
+        return any(by is task and not (a.is_at_standstill or a.suspended) for a, by in self._starters.items())
 
     # ----------------------------------------------------------------------------------------------- queries
 

@@ -31,7 +31,8 @@ from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR
 from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
 from motionlang.kernel.source import Source
 
-_REGISTER = re.compile(r"register \d+")
+# What the accumulator has: a register, or that and a number more or less.
+_REGISTER, _SUM = re.compile(r"register \d+"), re.compile(r"register \d+ [+-] .+")
 # Commands that the graph shows, or that do nothing.
 _SILENT = frozenset(("define_macro", "jump", "jump_by", "repeat", "leave", "nothing"))
 
@@ -130,7 +131,7 @@ def _held(steps: LineSteps) -> Iterator[tuple[int, str]]:
         last = step.at
         number, function = _parameter(command) if command.kind == NUMBER else "", command.function
         match getattr(command.action, "accumulator", ""):
-            case "stores" if held.startswith("register") or not held[:1].isalpha():
+            case "stores" if not held or _SUM.fullmatch(held):
                 held = f"register {number}"
             case "recalls":
                 held = f"register {number}"
