@@ -233,7 +233,8 @@ def _distances(
 def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -> Iterator[MachineCycle]:
     """Yield a loop with changes; what is only known of a later visit is a loop that begins there."""
     first, is_later = transitions[0], any(each.is_later for each in transitions)
-    if is_later and not first.is_later:
+    is_refused = len(transitions) == 1 and first.causes in node.refused
+    if is_refused or (is_later and not first.is_later):
         return
     visit = first.visit if is_later else node.first
     work = _work(transitions)
@@ -268,7 +269,8 @@ def _others(node: StateNode, last: Transition) -> Iterator[Transition]:
     known = {last.does}
     for each in node.transitions:
         is_choice = each.causes and each.visit is last.visit and each.target == node.state
-        if is_choice and _is_right(each) and each.acts and each.does not in known:
+        is_new = _is_right(each) and each.acts and each.does not in known
+        if is_choice and is_new and each.causes not in node.refused:
             known.add(each.does)
             yield each
 

@@ -182,9 +182,13 @@ def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
 
 
 def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
-    """True if two runs take two branches of a judgement: each does something that the other does not, and is good."""
+    """True if two runs take two branches of a judgement: each does something that the other does not, and is good.
+
+    What ends the program is no branch of it.
+    """
     mine, others = (_acts(explorer, each.run)[0].keys() for each in (one, other))
-    return other.is_good and bool(mine - others and others - mine)
+    ends = other.run.status == "ended" != one.run.status
+    return other.is_good and not ends and bool(mine - others and others - mine)
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:

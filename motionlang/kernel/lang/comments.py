@@ -174,7 +174,7 @@ class _Lists:
             lists = iter(self._with_words(cells))
         elif self.columns:
             lists = iter(self._below(cells))
-        elif self._has_one_series and len(cells) > 1 and items[0].number == 1:
+        elif self._has_one_series and len(cells) > 1 and items[0].number == 1 and not items[0].has_equal:
             self.columns = [_Column(0, len(items[0].text), self._new(""))]
             lists = repeat(self.columns[0].below)
         else:

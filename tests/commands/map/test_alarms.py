@@ -172,7 +172,7 @@ RETURN
                 "on pad) off, line 16 and 2 s after line 13",
                 "'NO LABEL' comes after 3 times input 3 (label on pad) off, line 16 and 2 s after line "
                 "13; ends by input 6 (reset left) on, line 34, then input 5 (reset right) on, line 35",
-                "'AIR' comes by input 7 (air on) off, line 5; ends by input 6 (reset left) on, line "
+                "'AIR' is printed by input 7 (air on) off, line 5; ends by input 6 (reset left) on, line "
                 "34, then input 5 (reset right) on, line 35",
             ],
             id="steps",
@@ -243,4 +243,8 @@ def test_alarms_have_the_reasons_of_their_branches_and_all_steps_of_their_reset(
 ) -> None:
     cell.write(name, text)
     part = cell("map", name, "--all").out.split("Before you change anything\n")[1].split("\n\n")[0]
-    assert [each.strip() for each in part.replace("\n      ", " ").splitlines() if " come" in each] == lines
+    assert [
+        each.strip()
+        for each in part.replace("\n      ", " ").splitlines()
+        if " come" in each or "'AIR'" in each
+    ] == lines

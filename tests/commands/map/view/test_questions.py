@@ -76,7 +76,10 @@ QUESTIONS = {
         "what does the machine wait for before it lowers on the belt?": [
             "waits in 25 called in 40, 32: WN4 [input 4 (belt free)]"
         ],
-        "which register counts the parts?": ["30 register 27, 36 0 (36) 27", "27 prints 'part 6'"],
+        "which register counts the parts?": [
+            "30 register 27, 36 register 30 + 1 (27), 0 (36) 27",
+            "27 prints 'part 6'",
+        ],
     },
     "palletiser.prg": {
         "what is input 2?": ["input 2 GRIPPER SHUT in 74"],
