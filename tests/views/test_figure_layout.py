@@ -142,6 +142,8 @@ def test_names_of_curves_lie_where_they_do_not_end(last: float, is_low: bool) ->
     curves = [Curve([0.0, 1.0, 2.0], [0.0, 4.0, last], "#010203", "motor")]
     name, top = texts(Panel(curves))["motor"], texts(Panel(curves))["4"]
     assert (name.y > top.y + 20.0) is is_low
+    (_, key) = shapes(Panel(curves), "#010203")
+    assert [y for _, y in key.paths[0]] == [name.y - 3.0] * 2
 
 
 def test_lanes_are_named_bars() -> None:

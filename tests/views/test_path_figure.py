@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from motionlang.commands.plot.view import run_figure
 from motionlang.kernel import Run, Source, run
 from motionlang.views.figure import Figure
+from motionlang.views.figure_layout import TextLine, layout
 from motionlang.views.window import Window
 from tests.views.runs import ended, new_run
 
@@ -92,3 +95,6 @@ def test_axes_at_rest_are_a_point() -> None:
     assert figure.rows[0][0].x_limits == pytest.approx((1.0, 1.0), abs=1e-8)
     assert figure.scale is not None
     assert (figure.scale.label, figure.scale.low, figure.scale.high) == ("speed (uu/s), at most 0", 0.0, 1.0)
+    scaled = replace(figure, scale=replace(figure.scale, high=70.0))
+    names = [each.text for each in layout(scaled)[2] if isinstance(each, TextLine)]
+    assert names[-5:-1] == ["0", "20", "40", "60"]

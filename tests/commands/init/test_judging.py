@@ -223,6 +223,15 @@ def test_an_input_may_follow_two_outputs_equally_well() -> None:
     assert (first.subject, first.others[0]) == ("output 1", "output 2")
 
 
+def test_what_comes_before_the_changes_of_an_output_does_not_follow_it() -> None:
+    causes = tuple(LevelChange(t, 1 - k % 2, 0.0005) for k, t in enumerate((1.0, 2.3, 5.0, 5.9, 9.0, 10.4)))
+    changes = tuple(each._replace(time=each.time - 0.0015) for each in causes)
+    recording = MeasuredRecording(0.0, 12.0, 0.001, outputs={1: Digital("", 0, causes)})
+    assert not [
+        each for each in rules_of(3, Digital("in3", 0, changes), recording) if each.subject == "output 1"
+    ]
+
+
 def test_a_position_is_known_to_the_distance_between_two_rows() -> None:
     """To and fro at 100 uu/s, with a row each 10 ms; the input is on from 40.5 uu on."""
     times = np.arange(0.0, 8.0, 0.01)
@@ -247,6 +256,7 @@ def test_a_level_with_noise_has_the_steps_that_are_larger() -> None:
     times = np.arange(0.0, 2.0, 0.01)
     values = np.where(times < 0.995, 50.0, 90.0) + np.random.default_rng(1).normal(0.0, 3.0, len(times))
     near = partial(pytest.approx, abs=1.0)
+    assert Series("", times, values).noise(1.0) == near(3.0)
     assert levels_of(4, Series("", times, values)) == [
         ({"channel": 4, "value": near(50.0), "at": 0.0}, "in steps"),
         ({"channel": 4, "value": near(90.0), "at": 0.99}, ""),

@@ -134,7 +134,7 @@ def test_values_and_conditions_are_whole() -> None:
 
 
 def test_units_and_what_nothing_reaches() -> None:
-    text = "Fill\nRun Lamp\nGOTO Over\nPRINT 1\nPRINT 2\n#Over\nSub Fill\n  PRINT 3\nEnd Sub\n"
+    text = "#Again : Fill\nRun Lamp\nGOTO Over\nPRINT 1\nPRINT 2\n#Over\nSub Fill\n  PRINT 3\nEnd Sub\n"
     text += "Sub Spare\n  PRINT 4\nEnd Sub\nTask Lamp\n  Fill\nEnd Task\n"
     found = made(text)
     units = {each.title: each for each in found.units}
@@ -142,6 +142,7 @@ def test_units_and_what_nothing_reaches() -> None:
     assert units["program"].starts == {"task Lamp": [2]}
     assert units["sub Fill"].called_by == {"program": [1], "task Lamp": [14]}
     assert [title for title, each in units.items() if not each.is_reached] == ["sub Spare"]
+    assert len(units) == 4  # no Gosub calls a label
     assert [(each.first, each.last) for each in found.unreached] == [(4, 5), (11, 11)]
 
 

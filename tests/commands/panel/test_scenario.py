@@ -146,6 +146,13 @@ def test_a_run_that_goes_on_is_saved_with_its_times(
     assert "1 of 1 scenarios pass" in verified(path, capsys)
 
 
+def test_the_first_and_the_last_twenty_of_many_prints_are_saved(tmp_path: Path) -> None:
+    with operated(tmp_path / "many.mnt", "For k = 1 To 41\n  Print k USING 1\nNext\n") as hand:
+        hand.rests()
+        prints = re.findall(r'prints = "(\d+)"', saved(hand).read_text(encoding="utf-8"))
+    assert prints == [str(k) for k in range(1, 42) if k != 21]
+
+
 def test_an_input_that_answers_does_so_in_the_panel_until_a_hand_takes_it(tmp_path: Path) -> None:
     path = tmp_path / "press.mnt"
     machine = "input = [{ channel = 1, asked = 0.3, times = 6 }, { channel = 2, asked = 0.2 }]\n"

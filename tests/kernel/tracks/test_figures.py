@@ -65,6 +65,16 @@ def test_a_figure_is_in_the_scale_of_its_time() -> None:
     assert (found.speed.value, peak_speed(controller.axes[0], 6.0)) == pytest.approx((25.0, 25.0))
 
 
+def test_a_speed_is_in_the_scales_before_and_after_its_time() -> None:
+    """25 counts/s in units of one count at 0.05 s, and 50 counts/s in those of two from 1 s on."""
+    controller = machine()
+    controller.move_to(0, 100.0)
+    for time, counts in ((0.05, 4.0), (1.0, 2.0), (3.0, 0.5)):
+        controller.clock.advance(time)
+        controller.set_scale(0, counts)
+    assert extremes(controller.axes[0], 4.0).speed.value == pytest.approx(25.0)
+
+
 def test_an_s_curve_has_its_peaks_inside_its_ramps() -> None:
     """A sinusoidal ramp to v at a mean rate A has the peak π/2·A in its middle.
 

@@ -178,6 +178,13 @@ def test_linear_and_relative_exports() -> None:
     ]
 
 
+@pytest.mark.parametrize(("count", "shown"), [(1, {"v1"}), (12, {"v1", "v2"}), (13, set())])
+def test_up_to_twelve_velocities_are_columns(count: int, shown: set[str]) -> None:
+    positions = ",".join(str(100 * n * n) for n in range(count + 2))
+    out = pvt("refine", "--positions", positions, "--time", "10").out
+    assert {"v1", "v2"} & set(out.split()) == shown
+
+
 def test_reports_as_json() -> None:
     plot = json.loads(pvt("plot", "--scurve", "1000", "--time", "100", "--format", "json").out)
     assert plot["schema"] == "motionlang/1"
