@@ -35,8 +35,6 @@ def listing(
     known = [row.name for row in rows if not row.simulated]
     count = f"{len(simulated)} simulated, {len(known)} known"
     lines = [f"{styled(dialect_name(dialect), 'bold', colour)} · {count}"]
-    if not rows:
-        return lines[0] + "\n"
     name_width = max((len(row.name) for row in simulated), default=0)
     short_width = max((len(row.short) for row in simulated), default=0)
     groups: dict[str, list[Keyword]] = {}
