@@ -168,6 +168,17 @@ def test_damaged_rows_of_a_parquet_file(tmp_path: Path) -> None:
     assert "a file that is cut off cannot be read" in caught.value.diagnostics[0].hint
 
 
+@pytest.mark.parametrize(
+    ("unit", "count"), [("s", 2), ("ms", 2000), ("us", 2_000_000), ("ns", 2_000_000_000)]
+)
+def test_durations_of_a_parquet_file_are_seconds(unit: str, count: int, tmp_path: Path) -> None:
+    pa, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    table = pa.table({"time": pa.array([0, count], pa.duration(unit)), "in1": [0, 1]})
+    parquet.write_table(table, tmp_path / "rec.parquet")
+    found = read_file(str(tmp_path / "rec.parquet"))
+    assert [float(each) for each in found.columns["time"]] == [0.0, 2.0]
+
+
 # Times by the name of their column, and the form of a cell.
 TIMES = {
     "time": "{t:.3f}", "Zeit [ms]": "{ms}", "t_us": "{us}", "time_ns": "{ns}", "epoch": "{epoch:.3f}",
