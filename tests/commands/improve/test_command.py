@@ -347,18 +347,29 @@ End Event
 """
 
 
-def test_edits_that_gain_only_together_because_of_a_tick_are_found() -> None:
+@cases(
+    "look, speeds",
+    [
+        ("", {"SPEED[1]@3": 150.0}),
+        # With all numbers at their limits, axis 0 would be idle at 0.24 s, and the output would go on.
+        ("WAIT = 240 : OUTX(3) = IDLE(0) : ", {"SPEED[0]@2": 150.0, "SPEED[1]@3": 133.0}),
+    ],
+)
+def test_edits_that_gain_only_together_because_of_a_tick_are_found(
+    look: str, speeds: dict[str, float]
+) -> None:
     """Two strokes of 0.3 s and three ticks: 0.9 s. One edit reaches 0.8 s, the next tick takes three more."""
     limits: dict[str, object] = {
         f"axis.{axis}.limits.{name}": limit
         for axis in (0, 1)
         for name, limit in (("speed", 150.0), ("acceleration", 2000.0))
     }
-    found = improver(TICK, limits).improved()
+    found = improver(TICK.replace("PAUSE IDLE(0)", f"{look}PAUSE IDLE(0)"), limits).improved()
     assert found.before == pytest.approx(0.9, abs=1e-4)
     assert found.after == pytest.approx(0.7, abs=1e-4)
-    assert "speed of axis 1: 150 uu/s" in [each.bound for each in found.edits]
-    assert len(found.edits) == 4
+    edits = {each.literal.address: each.value for each in found.edits}
+    assert {name: value for name, value in edits.items() if name.startswith("SPEED")} == speeds
+    assert len(edits) == 4
 
 
 @pytest.mark.slow
