@@ -183,6 +183,10 @@ VERDICTS = [
     (COUNT, "60", "61", "'full' comes 0.600 s later in B"),
     (COUNT, '"full"', '"box full"', "A 'full' after 35.70 s, B 'box full'"),
     (COUNT, 'PRINT "full" : ', "", "A 'full' after 35.70 s, B does not"),
+    # The cycle, too, is played until the count is reached.
+    pytest.param(LOOP.format(f"  MOVEA(0) = 5{GO} : MOVEA(0) = 0{GO}")
+     .replace("End", '  n = n + 1\n  If n = 12 Then PRINT "full" : n = 0\nEnd'), '"full"', '"box full"', "in 2 ways",
+     marks=pytest.mark.slow),
     (LOOP.format('  t = TIME\n  PAUSE Not INX(1)\n  If TIME - t > 2000 Then PRINT "long"'), '"long"', '"LONG"',
      "A 'long' after 0.00 s, B 'LONG'"),
     pytest.param(HEAD + 'Dim t As Integer\nLoop\n  t = TIME\n  PAUSE INX(1) Or TIME - t > 150000\n  PRINT "on"\n'
