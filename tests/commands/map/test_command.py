@@ -201,6 +201,15 @@ def test_both_levels_that_cut_off_moves_are_one_sentence(cell: Cell) -> None:
     assert "  input 7 off cuts off moves of line 9, on those of line 4\n" in cell("map", "a.mnt").out
 
 
+def test_a_go_that_waits_for_the_move_before_is_no_step_of_the_cycle(cell: Cell) -> None:
+    moves = "MOVER(0) = 10 : GO(0)\n" * 4
+    cell.write(
+        "a.mnt", f"SPEED(0) = 100 : ACCEL(0) = 1000\nLoop\nPause INX(1)\n{moves}Pause INX(1) = 0\nEnd Loop\n"
+    )
+    rows = [each.split() for each in cell("map", "a.mnt").out.split("────\n")[1].splitlines()]
+    assert [each[1] for each in rows if each[2:3] == ["axis"]] == ["4", "5", "6", "7"]
+
+
 def test_the_statements_of_a_unit(program: Cell) -> None:
     assert program("map", "a.mnt", "--unit", "program").out == UNIT
     assert program("map", "a.mnt", "--unit", "spare").out.splitlines()[0] == "sub Spare, line 16"
