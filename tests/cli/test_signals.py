@@ -17,8 +17,8 @@ from typing import Any
 import pytest
 
 from motionlang import __version__
+from motionlang.cli import main, signals
 from motionlang.cli import option_groups as shared
-from motionlang.cli import signals
 from motionlang.kernel import Scheduler, Terminated, Trace
 from motionlang.kernel.mint import MintProgram
 from tests.cli.programs import MAX_SECONDS, Cell
@@ -376,3 +376,14 @@ def test_a_long_run_says_where_it_is_and_how_to_end_it(cell: Cell, monkeypatch: 
     found = cell("run", "a.mnt", "--cpu", "0.3", "--format", "none")
     assert re.match(note + r"error\[interrupted\]", found.err)
     assert cell("run", "a.mnt", "--until", "0.5", "--format", "none").err == ""
+
+
+def test_a_signal_between_two_steps_of_a_lock_is_no_crash(monkeypatch: pytest.MonkeyPatch) -> None:
+    def waits(given: list[str]) -> int:
+        try:
+            raise Terminated(signal.SIGTERM)
+        finally:
+            raise RuntimeError("release unlocked lock")
+
+    monkeypatch.setattr("motionlang.cli._command", waits)
+    assert main(["sweep"]) == 128 + signal.SIGTERM
