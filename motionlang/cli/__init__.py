@@ -58,7 +58,7 @@ def _guarded(given: list[str]) -> int:
         return 1
     except Exception as error:
         # A signal in the middle of a wait of the standard library leaves a lock that is not held.
-        if isinstance(error.__context__, (KeyboardInterrupt, Terminated)):
+        if type(error) is RuntimeError and isinstance(error.__context__, (KeyboardInterrupt, Terminated)):
             raise error.__context__ from None
         lacking = missing(error, " ".join(["motionlang", *given[:1]]))
         if lacking is not None:

@@ -205,8 +205,8 @@ class Exploration:
     @property
     def missed_moves(self) -> list[int]:
         """The lines with a statement that moves an axis and that no trial has carried out."""
-        statements = self.program.structure.statements
-        return sorted({each.line for at, each in statements.items() if each.moves and at not in self.begun})
+        statements, begun = self.program.structure.statements, self.begun
+        return sorted({each.line for at, each in statements.items() if each.moves and at not in begun})
 
     def without(self, begun: Collection[int]) -> list[int]:
         """Return the lines with a statement that is not among those that have begun, by their source offsets."""
@@ -233,7 +233,8 @@ class Exploration:
             if changes:
                 trials.append((changes, {one._replace(moment=AT_REST) for one in each.causes}, cut))
             else:
-                usual, done = usual | cut, done | each.done
+                usual |= cut
+                done |= each.done
         usual -= done
         for each in self.world.cycle.transitions:
             usual |= {line for line, ended in each.does.moves if ended}

@@ -39,7 +39,8 @@ JOGGING = 10.0
 # right; the more of it is wrong, the less it counts.
 SAID, RIGHT, WRONG = 2.0, 0.5, 20.0
 # A cycle that says nothing is part of one that says something, does more, and has less of a value by so much at most.
-PIECE = 5.0
+# So many of these, the likeliest, are compared.
+PIECE, PIECES = 5.0, 20
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
@@ -162,7 +163,7 @@ def cycles(
     menus = {each.transitions[-1].source for each in best.values() if _ends_menu(each)}
     left_over = [each for each in best.values() if not (each.repeats and menus.intersection(each.asked))]
     pieces = [each for each in left_over if each.repeats and each.said and not wrong(each.said)]
-    return sorted(left_over, key=lambda each: _is_part(each, pieces))
+    return sorted(left_over, key=lambda each: _is_part(each, pieces[:PIECES]))
 
 
 def _is_part(one: MachineCycle, pieces: Iterable[MachineCycle]) -> bool:

@@ -4,7 +4,7 @@ Each point of the graph has guards: the sides of branches that decide whether th
 forward once, in the order of the flow; where both sides of a branch meet, what guards the branch guards. A call guards
 what it calls, a handler what it does. A side is put into words from the form of its statement: channels by their names,
 a variable by the reasons of what assigns to it, a count and a clock by their numbers. Anything else is quoted. A time
-in a step is told with what would have led on from it, and what holds at the start with what would have changed it.
+in a step names what has not led on from the step; what holds at the start names what has not changed it.
 """
 
 from __future__ import annotations
@@ -162,7 +162,7 @@ class Reasons:
     def _repeats(self, q: int, p: int) -> bool:
         """True if a line goes on from one of its points to another one."""
         seen, stack = set[int](), [q]
-        while stack and p not in seen:
+        while stack and p not in seen and len(seen) < MAX_LENGTH:
             point = self._structure.points[stack.pop()]
             after = {
                 each for each in (*point.next, point.calls) if each >= 0 and self._line(each) == self._line(q)
@@ -251,11 +251,15 @@ class Reasons:
             return [each._replace(words=f"{each.words} if `{statement.condition}`") for each in handlers]
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
-        # A time is told with what has led on to it, a condition with those that it stands in.
+        # A time has the conditions before it as well, a quotation those of the blocks around it.
         if all(each.rank == COUNTED for each in made):
             around = self._of(q)
+        elif self._depth > MAX_DEPTH:
+            return made
         else:
+            self._depth += 1
             around = [each for outer in self._outside(q) for each in self._within(outer, True)]
+            self._depth -= 1
         around = [each for each in around if each.rank >= DIRECT]
         if not around or any(self._is_loop(outer) for outer, _ in self._guards[q]):
             return made
@@ -263,7 +267,7 @@ class Reasons:
         return [each._replace(words=f"{outer} and {each.words}", rank=DIRECT) for each in made]
 
     def _outside(self, q: int) -> list[int]:
-        """Return the branches and the handler that a branch stands in, not those that it comes behind."""
+        """Return the branches, or the handler, whose block has a branch, not those that come before it."""
         for _ in range(MAX_DEPTH):
             guards = self._guards.get(q, ())
             if len(guards) != 1 or guards[0][1]:
@@ -308,14 +312,15 @@ class Reasons:
 
     def _compared(self, subject: str, sign: str, right: str, q: int, statement: Statement) -> list[Reason]:
         """Return why a channel or a register of MCCL compares so; a count in a loop that waits is a time."""
-        sources = {value for _, value in self._sites.get(subject, ())}
+        stored = self._sites.get(subject, [])[:MAX_SITES]
+        sources = {value for _, value in stored}
         if len(sources) == 1 and _COMPARED.fullmatch(f"{min(sources)} = 0"):
             subject = min(sources)
         raw = f"{self._names[subject]} {_COMPARISONS[sign][0]} {right}"
         if not subject.startswith("register"):
             return [Reason(raw, statement.line, DIRECT)]
         line = statement.line
-        counts = [p for p, value in self._sites.get(subject, ()) if value == f"{subject} + 1"]
+        counts = [p for p, value in stored if value == f"{subject} + 1"]
         waits = self._waited[line] if any(self._repeats(q, p) for p in counts) and sign[0] == ">" else []
         if len(waits) == 1 and _is_number(right):
             return [Reason(f"{float(right) * float(waits[0]):g} s in line {line}", 0, COUNTED)]
@@ -376,7 +381,9 @@ class Reasons:
 
     def _is_step(self, tested: tuple[str, str]) -> bool:
         """True if a comparison is that of a variable with one of several numbers that it gets."""
-        return len({value for _, value in self._sites.get(tested[0], ()) if _is_number(value)}) > 2
+        return (
+            len({value for _, value in self._sites.get(tested[0], [])[:MAX_SITES] if _is_number(value)}) > 2
+        )
 
     def _in_step(self, step: tuple[str, str], made: list[Reason], q: int) -> list[Reason]:
         """Return the reasons of a branch in a step: what has led to the step is none, what would have led on is."""

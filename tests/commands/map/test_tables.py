@@ -169,6 +169,12 @@ def test_a_register_is_set_to_what_the_accumulator_has() -> None:
     ]
 
 
+def test_a_register_is_set_to_what_the_accumulator_has_in_all_ways() -> None:
+    # IB skips two commands, and JR goes back to AA with another value.
+    found = made("MD1,GA1,IB5,AL1,NO,AR30\nMD2,RA31,AA1,IB9,JR-2,NO,AR32\n", "mccl")
+    assert [each.given for each in found.variables if each.name in ("30", "32")] == [{}, {}]
+
+
 def test_registers_macros_and_keys_have_names() -> None:
     found = made("; reg 24 pitch\nAL5,AR24\n; macro 3: advance\nMD3,1MR@24\nMC3\n", "mccl")
     assert [(each.name, each.meaning) for each in found.variables] == [("24", "pitch")]

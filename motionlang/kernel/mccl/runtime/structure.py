@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.step_graph import StepGraph
-from motionlang.kernel.lang.steps import BACK, BEGIN, BRANCH, CALL, END, ENTER, Steps
+from motionlang.kernel.lang.steps import BACK, BRANCH, CALL, END, ENTER, GO, Steps
 from motionlang.kernel.lang.structure import (
     ACTS,
     LEADS,
@@ -27,7 +27,7 @@ from motionlang.kernel.mccl.models import written_for
 from motionlang.kernel.mccl.resolve.command import NUMBER, REGISTER, Command
 from motionlang.kernel.mccl.resolve.line import Line
 from motionlang.kernel.mccl.runtime.board import Board
-from motionlang.kernel.mccl.runtime.register_uses import ACCUMULATOR
+from motionlang.kernel.mccl.runtime.register_uses import variable
 from motionlang.kernel.mccl.runtime.writer import LineSteps, LineWriter
 from motionlang.kernel.source import Source
 
@@ -79,9 +79,9 @@ def structure(
     units += (Unit(name, "macro", each.line_number, graph.first(each)) for name, each in choices.items())
     found: dict[int, set[str]] = {}
     for steps in lists:
-        for at, what in _held(steps):
-            found.setdefault(at, set()).add(what)
-    held = {at: "".join(what) for at, what in found.items() if len(what) == 1}
+        for pc, what in _held(steps):
+            found.setdefault(steps[pc].at, set()).add(what)
+    held = {at: min(what) for at, what in found.items() if len(what) == 1}
     writes = {
         at + len(command.text) - len(str(command.number)): held.get(at, "")
         for line in lines
@@ -106,50 +106,49 @@ def _link(steps: LineSteps, macros: Mapping[int, list[LineSteps]]) -> None:
             steps.called[pc] = (above or found)[-1], 0
 
 
-def _set(steps: LineSteps) -> Iterator[tuple[int, int, Command | None]]:
-    """Yield the registers that a line sets: the step, the register, and the command that alone has loaded its value."""
-    loaded: Command | None = None
-    for pc, (step, use) in enumerate(zip(steps, steps.uses, strict=True)):
-        command = steps.command(pc)
-        if use is None or step.kind == BEGIN or command is None:
-            continue
-        yield from ((pc, register, loaded) for register in use.sets - {ACCUMULATOR})
-        if ACCUMULATOR in use.sets:
-            loaded = None if use.reads else command
-        if step.kind in (CALL, ENTER):
-            loaded = None
-
-
 def _held(steps: LineSteps) -> Iterator[tuple[int, str]]:
-    """Yield the commands of a line with what the accumulator has there: a number, a channel, a register, or 1 more."""
-    held, last = "", -1
+    """Yield the first step of each command of a line with what the accumulator has there, "" if that is unknown.
+
+    It is a number, a channel, a register, or a register and a number more or less, the same in all ways to the step.
+    """
+    ways: dict[int, set[str]] = {0: {""}}
     for pc, step in enumerate(steps):
-        command = steps.command(pc)
-        if step.at == last or command is None or command.row is None:
+        is_computed = step.kind == GO and step.to < 0
+        for to in steps.starts if is_computed else steps.following(pc):
+            if to <= pc or is_computed:
+                ways.setdefault(to, set()).add("")
+    last = -1
+    for pc, step in enumerate(steps):
+        came = ways.get(pc)
+        if came is None:  # behind a jump, or in a macro that is only defined here
             continue
-        yield step.at, held
-        last = step.at
-        number, function = _parameter(command) if command.kind == NUMBER else "", command.function
-        match getattr(command.action, "accumulator", ""):
-            case "stores" if not held or _SUM.fullmatch(held):
-                held = f"register {number}"
-            case "recalls":
-                held = f"register {number}"
-            case "sets":
-                held = f"{command.row.channel} {number}" if command.row.channel and number else ""
-                held = number if function == "load" else held
-            case "adds":
-                sign = "+" if function == "add" else "-"
-                held = f"{held} {sign} {number}" if _REGISTER.fullmatch(held) and number else ""
-            case "computes" | "reads":
-                held = ""
-        if step.kind == CALL or function == "repeat":
-            held = ""
+        held = min(came) if len(came) == 1 else ""
+        command = steps.command(pc)
+        if step.at != last and command is not None and command.row is not None:
+            yield pc, held
+            last, held = step.at, _held_behind(command, held)
+        for to in steps.following(pc):
+            ways.setdefault(to, set()).add("" if step.kind == CALL else held)
 
 
-def _constant(loaded: Command | None) -> int | None:
-    """Return the number that a command loads into the accumulator, None for one that is not known before the run."""
-    return loaded.number if loaded is not None and loaded.function == "load" else None
+def _held_behind(command: Command, held: str) -> str:
+    """Return what the accumulator has behind a command, by what it has before."""
+    number = _parameter(command) if command.kind == NUMBER else ""
+    match getattr(command.action, "accumulator", ""):
+        case "stores":
+            return f"register {number}" if not held or _SUM.fullmatch(held) else held
+        case "recalls":
+            return f"register {number}"
+        case "sets" if command.function == "load":
+            return number
+        case "sets":
+            return f"{command.row.channel} {number}" if command.row and command.row.channel and number else ""
+        case "adds":
+            sign = "+" if command.function == "add" else "-"
+            return f"{held} {sign} {number}" if _REGISTER.fullmatch(held) and number else ""
+        case "computes" | "reads":
+            return ""
+    return held
 
 
 def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) -> dict[str, Steps]:
@@ -160,8 +159,11 @@ def _choices(lists: Sequence[LineSteps], macros: Mapping[int, list[LineSteps]]) 
     calls: dict[int, list[tuple[LineSteps, int]]] = {}
     given: dict[int, set[int | None]] = {}
     for steps in lists:
-        for _, register, loaded in _set(steps):
-            given.setdefault(register, set()).add(_constant(loaded))
+        for pc, what in _held(steps):
+            command = steps.command(pc)
+            if command is not None and command.function == "store" and command.number is not None:
+                number = int(what) if what.isdecimal() else None
+                given.setdefault(variable(command.number), set()).add(number)
         for pc, step in enumerate(steps):
             command = steps.command(pc)
             if step.kind in (CALL, ENTER) and command is not None and command.kind == REGISTER:
