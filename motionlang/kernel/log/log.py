@@ -18,6 +18,7 @@ from motionlang.kernel.log.records import (
     Sampled,
     Switched,
     Waited,
+    Written,
     Zeroed,
 )
 from motionlang.kernel.log.stream import Budget, Stream, records_of
@@ -103,6 +104,7 @@ class Log:
     dropped    moves that were loaded into a buffer and discarded: `ended` is the cause
     inputs, analogue_inputs: `Changed`
     outputs, analogue_outputs: `Switched`
+    writes     `Written`, each change of a value for the host or in another device
     sampled    `Sampled`, from which `analogue_inputs` has the samples of sensors on moving axes
     settings   `ChangedSetting`, written if the value has changed
     zeros      `Zeroed`, each new zero of an axis
@@ -125,6 +127,7 @@ class Log:
         # The changes of analogue inputs with the samples, which the controller computes.
         self.analogue_inputs: Iterable[Changed] = self.changes_of_analogue_inputs
         self.analogue_outputs: Stream[Switched] = Stream(self.budget)
+        self.writes: Stream[Written] = Stream(self.budget)
         self.settings: Stream[ChangedSetting] = Stream(self.budget)
         self.zeros: Stream[Zeroed] = Stream(self.budget)
         self.waits: Stream[Waited] = Stream(self.budget)
@@ -183,6 +186,10 @@ class Log:
     ) -> None:
         """Write an event with the current source offset."""
         self.events.add(Event(time, kind, axis, value, limit, self.where(), ordered, text))
+
+    def write(self, time: float, target: str, value: float) -> None:
+        """Log that the program wrote another value into a place that others read."""
+        self.writes.add(Written(time, target, value, *self.origin()))
 
     def repeat_waits(self, task: str, began: float, period: float, count: int) -> None:
         """Log that the waits of a task since `began` repeat, each `period` later.
@@ -248,5 +255,5 @@ class Log:
     def streams(self) -> tuple[Stream[Any], ...]:
         """Return all streams except the profiles."""
         return (self.moves, self.dropped, self.inputs, self.outputs, self.changes_of_analogue_inputs, self.sampled,
-                self.analogue_outputs, self.settings, self.zeros, self.waits, self.loops, self.slices, self.prints,
-                self.events, *self.others)  # fmt: skip
+                self.analogue_outputs, self.writes, self.settings, self.zeros, self.waits, self.loops, self.slices,
+                self.prints, self.events, *self.others)  # fmt: skip

@@ -26,6 +26,16 @@ class Switched(NamedTuple):
     chain: int
 
 
+class Written(NamedTuple):
+    """The program wrote another value for its host or into another device; `target` names the place."""
+
+    time: float
+    target: str
+    value: float
+    at: int
+    chain: int
+
+
 class Sampled(NamedTuple):
     """A channel was sampled at the ticks `first` to `past` (exclusive) along the profile that began at `start`.
 

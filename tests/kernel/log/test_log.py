@@ -215,3 +215,21 @@ def test_the_calls_that_lead_to_an_act_are_stored_once() -> None:
     for acts in (log.moves, log.prints):
         assert [each.chain for each in acts] == [1, 2] * 50
     assert [each.chain for each in log.outputs] == [1, 1, 2, 2] * 50
+
+
+def test_changes_for_the_host_and_in_other_devices_are_logged() -> None:
+    text = """\
+COMMS(3) = 2.5 : COMMS(3) = 2.5 : COMMSINTEGER(3) = 4
+NETINTEGER(7) = 5
+MODBUSTCP32(4, 6) = 70000 : MODBUSTCP16(4, 6) = 4464
+REMOTEOUTX(1, 2, 3) = 1 : REMOTEDAC(1, 2, 5) = 2.5
+"""
+    log = run(Source("host.mnt", text), machine={"netdata": [{"element": 9, "value": 1}]}).machine.log
+    assert [(each.target, each.value) for each in log.writes] == [
+        ("comms element 3", 2.5),
+        ("comms element 3", 4),
+        ("network data 7", 5),
+        ("Modbus register 6 of server 4", 70000),
+        ("output 3 of node 2 of bus 1", 1),
+        ("analogue output 5 of node 2 of bus 1", 2.5),
+    ]

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
 from motionlang.kernel.controller.io.reads import ReadObserver
@@ -35,16 +35,21 @@ class HostMemory:
     """The comms array and NetData.
 
     `listeners` are called with (area, element, changed) for every element that the host writes. Writes by the
-    program itself do not call them, because the documents mention the client's writes only. `mapping` is the area
-    that a Modbus client sees.
+    program itself do not call them, because the documents mention the client's writes only; they call `written`
+    with (area, element, value) if they change it. `mapping` is the area that a Modbus client sees.
     """
 
-    def __init__(self, mapping: str = "netdata") -> None:
+    def __init__(
+        self,
+        mapping: str = "netdata",
+        written: Callable[[str, int, float], object] = lambda area, element, value: None,
+    ) -> None:
         self._words = {
             area: memoryview(bytearray(4 * (last + 1))).cast("i") for area, (_, last) in AREAS.items()
         }
         self._floats = {area: memoryview(words).cast("B").cast("f") for area, words in self._words.items()}
         self.listeners: list[Listener] = []
+        self._written = written
         self.mapping = mapping
         self.observer: ReadObserver | None = None
 
@@ -56,7 +61,7 @@ class HostMemory:
         return self._words[area][_checked(area, element)]
 
     def set_integer(self, area: str, element: int, value: int) -> None:
-        self._words[area][_checked(area, element)] = value
+        self._set(self._words, area, element, value)
 
     def real(self, area: str, element: int) -> float:
         if self.observer is not None:
@@ -66,7 +71,13 @@ class HostMemory:
     def set_real(self, area: str, element: int, value: float) -> None:
         if not abs(value) < _LARGEST_FLOAT:
             value = inf if value > 0 else -inf if value < 0 else value
-        self._floats[area][_checked(area, element)] = value
+        self._set(self._floats, area, element, value)
+
+    def _set(self, view: Mapping[str, Any], area: str, element: int, value: float) -> None:
+        words, before = self._words[area], self._words[area][_checked(area, element)]
+        view[area][element] = value
+        if words[element] != before:
+            self._written(area, element, value)
 
     # ------------------------------------------------------------------------------------------ the host's side
 
@@ -74,7 +85,7 @@ class HostMemory:
         """Write elements from the host, given as signed 32-bit integers."""
         changed = [self._words[area][_checked(area, first + k)] != word for k, word in enumerate(words)]
         for k, word in enumerate(words):
-            self.set_integer(area, first + k, word)
+            self._words[area][first + k] = word
         for k, each in enumerate(changed):
             for listener in tuple(self.listeners):
                 listener(area, first + k, each)

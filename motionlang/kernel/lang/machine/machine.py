@@ -15,6 +15,7 @@ from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMem
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.controller.surroundings import Surroundings
 from motionlang.kernel.errors import Diagnostic, ProgramError
+from motionlang.kernel.lang.machine.keys import DRIVES
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
 from motionlang.kernel.lang.machine.operator import Operator
 from motionlang.kernel.lang.machine.stop import stop_of
@@ -183,7 +184,10 @@ class Machine:
         return self._host
 
     def _new_host(self) -> HostMemory:
-        host = HostMemory(PRODUCTS[product(self.model)])
+        def written(area: str, element: int, value: float) -> None:
+            self.log.write(self.clock.now, f"{DRIVES[area][0]} {element}", value)
+
+        host = HostMemory(PRODUCTS[product(self.model)], written)
         for area in AREAS:
             for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
                 host.schedule(self.controller, area, entry)

@@ -15,6 +15,7 @@ from motionlang.kernel.controller.io.asking import AskedRule, Responder
 from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.keyword import Actions, Keyword
+from motionlang.kernel.lang.machine.keys import DRIVES
 from motionlang.kernel.mint.runtime.binding import Maker, of
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -109,9 +110,14 @@ class Servers:
         words = self._reached(number, register, count).words
         return [words.get(register + k, 0) for k in range(count)]
 
-    def write(self, number: int, register: int, words: Sequence[int]) -> None:
+    def write(self, number: int, register: int, value: float, width: str) -> None:
+        words = words_of(value, width)
         server = self._reached(number, register, len(words))
         server.written.update(range(register, register + len(words)))
+        before = [server.words.get(register + k, 0) for k in range(len(words))]
+        if words != before:
+            target = f"{DRIVES['modbus.register'][0]} {register} of server {number}"
+            self._machine.log.write(self._clock.now, target, value)
         _put(server, register, words)
 
     def _reached(self, number: int, register: int, count: int) -> RegisterServer:
@@ -192,7 +198,7 @@ def writes(width: str) -> Maker:
     """Make an operation that writes a value to a server; for widths see `words_of`."""
 
     def write(servers: Servers, server: int, register: int, value: float) -> None:
-        servers.write(server, register, words_of(value, width))
+        servers.write(server, register, value, width)
 
     return repeatable(of(Servers, write))
 

@@ -124,8 +124,14 @@ class Nodes:
     def _put_into(self, bus: int, node: int, kind: str) -> Channels:
         key = checked_bus(bus), node, kind
         if key not in self._channels:
-            self._channels[key] = Channels(self._clock)
+            made = self._channels[key] = Channels(self._clock)
+            if kind in _WRITTEN:
+                made.listen(partial(self._log_write, bus, node, _WRITTEN[kind]))
         return self._channels[key]
+
+    def _log_write(self, bus: int, node: int, what: str, channel: int, value: float) -> None:
+        target = f"{what.replace('-', ' ')} {channel} of node {node} of bus {bus}"
+        self.environment.machine.log.write(self._clock.now, target, value)
 
     def written(self) -> list[dict[str, object]]:
         """Return the values that the program has written to nodes, as report rows."""
