@@ -1,4 +1,4 @@
-"""A run as data, schema `motionlang.report/2`: the output of `--format json`.
+"""A run as data, schema `motionlang.report/3`: the output of `--format json`.
 
 Lengths are user units, times seconds, speeds user units per second, all in full precision. The figures of a
 move are those in force when it started. Only axes that the program used are listed; all others are in their state
@@ -8,6 +8,7 @@ at power-up.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import cache
 from itertools import islice
 from json import JSONEncoder
 from math import inf
@@ -20,6 +21,7 @@ from motionlang.kernel.controller.faults import ABORT
 from motionlang.kernel.controller.operations import Controller
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.log.move import LoggedMove
+from motionlang.kernel.log.records import Switched
 from motionlang.kernel.planners import Profile
 from motionlang.kernel.planners.ramps import named_ramps
 from motionlang.kernel.result import Run
@@ -30,7 +32,7 @@ if TYPE_CHECKING:
 
 Row = dict[str, object]
 
-SCHEMA = "motionlang.report/2"
+SCHEMA = "motionlang.report/3"
 # The value of "ended" for a move in progress at the end of the run.
 END_OF_RUN = "end-of-run"
 # The sources of an axis's position: without a simulated motor feedback equals demand.
@@ -45,8 +47,8 @@ def build(run: Run) -> Report:
     """Return the complete report as plain dicts, lists, texts and numbers."""
     from motionlang.kernel.report_types import Report
 
-    fields = _head(run) | {"moves": list(moves(run)), "events": list(events(run))} | _tail(run)
-    return Report(fields | _concluded(run), run)
+    lists = {"moves": list(moves(run))} | {name: list(rows) for name, rows in _lists(run).items()}
+    return Report(_head(run) | lists | _tail(run) | _concluded(run), run)
 
 
 def text(run: Run, *, whole: bool = True) -> str:
@@ -63,7 +65,36 @@ def pieces(run: Run, *, whole: bool = True) -> Iterator[str]:
     tail = _tail(run)
     if whole:
         tail |= _concluded(run)
-    return _document(_head(run), {"moves": _move_lines(run), "events": map(_encoder(), events(run))}, tail)
+    lists = {name: map(_encoder(), rows) for name, rows in _lists(run).items()}
+    return _document(_head(run), {"moves": _move_lines(run)} | lists, tail)
+
+
+def _lists(run: Run) -> dict[str, Iterator[Row]]:
+    """Return the rows of all lists but the moves, which are read one by one."""
+    log, line = run.machine.log, _lines(run)
+    return {
+        "switched": (_switched(each, line) for each in log.outputs),
+        "analogue_outputs": (_switched(each, line) for each in log.analogue_outputs),
+        "written": (
+            {"time": each.time, "target": each.target, "value": each.value, "line": line(each.at)}
+            for each in log.writes
+        ),
+        "events": events(run),
+    }
+
+
+def _switched(each: Switched, line: Callable[[int], int]) -> Row:
+    return {"time": each.time, "channel": each.channel, "value": each.value, "line": line(each.at)}
+
+
+def _lines(run: Run) -> Callable[[int], int]:
+    """Return a function that converts a source offset to its line, 0 without one."""
+
+    @cache
+    def line(at: int) -> int:
+        return run.dialect.locate(run.source, at)[0] if at >= 0 else 0
+
+    return line
 
 
 def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], status: str = "fault") -> str:
@@ -75,7 +106,8 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "notes": []}
     tail |= {"cycle": None, "assumptions": []}
-    return "".join(_document(head, {"moves": iter(()), "events": iter(())}, tail))
+    lists = ("moves", "switched", "analogue_outputs", "written", "events")
+    return "".join(_document(head, {name: iter(()) for name in lists}, tail))
 
 
 def moves(run: Run, in_full: int | None = None) -> Iterator[Row]:
@@ -270,16 +302,13 @@ def _motor_figures(controller: Controller) -> dict[int, MotorFigures]:
 
 def events(run: Run) -> Iterator[Row]:
     """Yield the events in chronological order; `docs/events.md` has the kinds."""
-    lines: dict[int, int] = {}
-    log = run.machine.log
+    log, line = run.machine.log, _lines(run)
     for number, event in enumerate(log.events, log.events.first):
-        if event.at not in lines:
-            lines[event.at] = run.dialect.locate(run.source, event.at)[0] if event.at >= 0 else 0
         row: Row = {"time": event.time, "kind": event.kind}
         for name, value in (("axis", event.axis), ("value", event.value), ("limit", event.limit)):
             if value is not None:
                 row[name] = value
-        row["line"] = lines[event.at]
+        row["line"] = line(event.at)
         if event.ordered:
             row["commanded_by"] = event.ordered
         if event.text:

@@ -169,6 +169,15 @@ class ReportQuantity(TypedDict):
     value: float | str | bool | None
 
 
+class ReportSwitched(TypedDict):
+    """The object `switched` of the schema."""
+
+    time: float
+    channel: int
+    value: float
+    line: int
+
+
 class ReportTerminal(TypedDict):
     """The object `terminal` of the schema."""
 
@@ -176,10 +185,19 @@ class ReportTerminal(TypedDict):
     output: list[str]
 
 
+class ReportWritten(TypedDict):
+    """The object `written` of the schema."""
+
+    time: float
+    target: str
+    value: float
+    line: int
+
+
 class Report(dict[str, object]):
     """A report as data: `report["moves"][0]["duration"]`.
 
-    Its schema is `motionlang.report/2`. It is a dict, so `json.dumps` takes it. A field that is not in every
+    Its schema is `motionlang.report/3`. It is a dict, so `json.dumps` takes it. A field that is not in every
     report is read with `get`.
     """
 
@@ -203,7 +221,7 @@ class Report(dict[str, object]):
     if TYPE_CHECKING:
 
         @overload
-        def __getitem__(self, name: Literal["schema"], /) -> Literal["motionlang.report/2"]: ...
+        def __getitem__(self, name: Literal["schema"], /) -> Literal["motionlang.report/3"]: ...
         @overload
         def __getitem__(self, name: Literal["program"], /) -> str: ...
         @overload
@@ -218,6 +236,12 @@ class Report(dict[str, object]):
         def __getitem__(self, name: Literal["output"], /) -> list[str]: ...
         @overload
         def __getitem__(self, name: Literal["moves"], /) -> list[ReportMove]: ...
+        @overload
+        def __getitem__(self, name: Literal["switched"], /) -> list[ReportSwitched]: ...
+        @overload
+        def __getitem__(self, name: Literal["analogue_outputs"], /) -> list[ReportSwitched]: ...
+        @overload
+        def __getitem__(self, name: Literal["written"], /) -> list[ReportWritten]: ...
         @overload
         def __getitem__(self, name: Literal["events"], /) -> list[ReportEvent]: ...
         @overload

@@ -124,7 +124,7 @@ class Run:
 
     @property
     def report(self) -> Report:
-        """The report of the run, in the schema `motionlang.report/2`."""
+        """The report of the run, in the schema `motionlang.report/3`."""
         from motionlang.kernel.report import build
 
         return build(self)

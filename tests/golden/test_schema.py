@@ -1,4 +1,4 @@
-"""`motionlang.report/2`: reports match its JSON Schema, and its page is complete."""
+"""`motionlang.report/3`: reports match its JSON Schema, and its page is complete."""
 
 from __future__ import annotations
 
@@ -82,6 +82,8 @@ def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
         "dropped",
         "phase",
         "move_motor",
+        "switched",
+        "written",
         "event",
         "axis",
         "motor",

@@ -17,7 +17,7 @@ from tests.views.runs import ballscrew, ended, new_run, pick, shift
 
 def test_the_ballscrew_exercise_field_by_field() -> None:
     assert build(ballscrew()) == {
-        "schema": "motionlang.report/2",
+        "schema": "motionlang.report/3",
         "program": "ballscrew.mnt",
         "dialect": "mint",
         "status": "ended",
@@ -43,6 +43,9 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
                 ],
             }
         ],
+        "switched": [],
+        "analogue_outputs": [],
+        "written": [],
         "events": [],
         "axes": [
             {
@@ -179,7 +182,8 @@ def test_a_report_has_dropped_moves_and_events() -> None:
 
 def test_an_empty_list_is_one_line() -> None:
     document = text(run(Source("a.mnt", "PRINT 1\n")))
-    assert '"output": ["1"],\n "moves": [],\n "events": [],\n "axes": [],\n' in document
+    for name in ("moves", "switched", "analogue_outputs", "written", "events", "axes"):
+        assert f'\n "{name}": [],\n' in document
 
 
 def test_an_event_has_the_line_of_its_offset() -> None:

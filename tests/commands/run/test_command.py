@@ -77,7 +77,7 @@ def test_any_bytes_end_without_a_traceback(cell: Cell, content: bytes) -> None:
     cell.write("bytes.mcl", content)
     ran = cell("run", "bytes.mcl", "--format", "json", "--until", "10")
     assert ran.status in (0, 1)
-    assert json.loads(ran.out)["schema"] == "motionlang.report/2"
+    assert json.loads(ran.out)["schema"] == "motionlang.report/3"
 
 
 def test_set_gives_machine_keys_their_kind(cell: Cell) -> None:
