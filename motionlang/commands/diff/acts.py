@@ -1,8 +1,9 @@
 """The acts of a program in a played way, and the differences from those of another program.
 
-An act is a move, an output or a printed line. Each task has its own order. Acts have no lines in a comparison: a moved
-sub is no difference. A move is the same if it goes to the same count at the same speed in counts, and is cut off in the
-same manner. Ways are compared with times up to `WITHIN`, two runs of the same world with the tolerance of the user.
+An act is a move, an output, a value for the host or a printed line. Each task has its own order. Acts have no lines in
+a comparison: a moved sub is no difference. A move is the same if it goes to the same count at the same speed in counts,
+and is cut off in the same manner. Ways are compared with times up to `WITHIN`, two runs of the same world with the
+tolerance of the user.
 """
 
 from __future__ import annotations
@@ -33,6 +34,8 @@ IN_WAYS = Tolerance(f"time={WITHIN}s", least=10.0**-DIGITS, shifts=True)
 OVERDUE = 2.0
 # Acts are in another order if they are no further apart than so many.
 ORDER = 4
+# The words of a digital output that changes, by its level.
+LEVELS = ("off", "on")
 # The name of the handlers of a program in place of a task.
 HANDLERS = "handler"
 # A terminal puts the next letters at a row and column.
@@ -80,8 +83,8 @@ class ComparedAct(NamedTuple):
 
     @property
     def is_switch(self) -> bool:
-        """True if it switches an output."""
-        return bool(self.subject) and not self.exact
+        """True if it switches a digital output."""
+        return bool(self.subject) and self.words in LEVELS
 
 
 class PlayedWay(NamedTuple):
@@ -180,18 +183,33 @@ def acts_of(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
             profile.peak_speed,
             unit=unit,
         )
-    for each in log.analogue_outputs:
-        subject, words = f"analogue output {each.channel}", f"to {each.value:.6g}"
-        yield ComparedAct(each.time, each.time, _line(each.at, line), subject, words)
     for each in log.outputs:
-        level = "on" if each.value else "off"
-        yield ComparedAct(each.time, each.time, _line(each.at, line), f"output {each.channel}", level)
+        yield switched(each.time, _line(each.at, line), each.channel, each.value)
+    for each in log.analogue_outputs:
+        yield written(each.time, _line(each.at, line), f"analogue output {each.channel}", each.value)
+    for other in log.writes:
+        yield written(other.time, _line(other.at, line), other.target, other.value)
     for text in log.prints:
         where = ", ".join(f"row {row} column {column}" for row, column in _PLACES.findall(text.text))
         yield ComparedAct(text.time, text.time, _line(text.at, line), "", plain(text.text), place=where)
     for label, terminal in run.machine.terminals.items():
         for text in terminal.prints:
             yield ComparedAct(text.time, text.time, _line(text.at, line), "", f"[{label}] {plain(text.text)}")
+
+
+def switched(time: float, line: int, channel: int, value: float) -> ComparedAct:
+    """Return the act of a digital output that changes."""
+    return ComparedAct(time, time, line, f"output {channel}", LEVELS[bool(value)])
+
+
+def written(time: float, line: int, target: str, value: float) -> ComparedAct:
+    """Return the act of an analogue output, or of a value for the host or in another device, that changes."""
+    return ComparedAct(time, time, line, target, f"to {value:.6g}")
+
+
+def occurred(time: float, line: int, axis: int | None, kind: str) -> ComparedAct:
+    """Return an event of an axis, or of none, as an act."""
+    return ComparedAct(time, time, line, "event" if axis is None else f"axis {axis}", kind)
 
 
 def _line(at: int, line: Callable[[int], int]) -> int:

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 from typing import Any
 
-from motionlang.commands.diff.acts import ComparedAct, PlayedWay, compared
+from motionlang.commands.diff.acts import ComparedAct, PlayedWay, compared, occurred, switched, written
 from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.ways_view import difference_words, later_words
 from motionlang.kernel import Run
@@ -23,6 +23,10 @@ MAX_DIFFERENCES = 8
 # Fields that are no result: a program may get lines, and new assumptions.
 PLACES = frozenset(("line", "column", "program", "schema", "assumptions"))
 EXACT = Tolerance()
+# Reports of these schemas have no outputs.
+OLD_SCHEMAS = ("motionlang.report/1", "motionlang.report/2")
+# The lists of a report whose rows are acts.
+ACTS = ("moves", "switched", "analogue_outputs", "written")
 
 
 def golden_files(program: str) -> tuple[str, str]:
@@ -85,7 +89,8 @@ def _words(expected: Any, now: Mapping[str, Any]) -> list[str]:
     if not isinstance(expected, dict) or not str(expected.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is not a report of a run")
     if expected["schema"] != SCHEMA:
-        raise ValueError(f"its schema is {expected['schema']}, and only {SCHEMA} can be read")
+        lacks = ", which has no outputs" if expected["schema"] in OLD_SCHEMAS else f" and not {SCHEMA}"
+        raise ValueError(f"it is {expected['schema']}{lacks}; --update writes it again")
     sides = [dict(_flat(each)) for each in (expected, now)]
     old, new = sides
     changed = [
@@ -98,7 +103,7 @@ def _words(expected: Any, now: Mapping[str, Any]) -> list[str]:
     except (KeyError, TypeError) as error:
         raise ValueError(f"its moves or events lack {error}") from None
     lines = [difference_words(each) for each in acts.differences] + [later_words(each) for each in acts.later]
-    is_shown = ("moves[", "output[") if lines else ()
+    is_shown = tuple(f"{name}[" for name in ("output", *ACTS)) if lines else ()
     others = [path for path in changed if not path.startswith(is_shown)] if is_shown else changed
     lines += (f"{path}: {_shown(old.get(path))} → {_shown(new.get(path))}" for path in others)
     left = len(lines) - MAX_DIFFERENCES
@@ -124,8 +129,15 @@ def _way(report: Mapping[str, Any]) -> PlayedWay:
                 each.get("peak_speed") or 0.0,
             )
         )
-    for each in report["events"]:
-        acts.append(ComparedAct(each["time"], each["time"], 0, f"axis {each.get('axis')}", each["kind"]))
+    acts += (
+        switched(each["time"], each["line"], each["channel"], each["value"]) for each in report["switched"]
+    )
+    acts += (
+        written(each["time"], each["line"], f"analogue output {each['channel']}", each["value"])
+        for each in report["analogue_outputs"]
+    )
+    acts += (written(each["time"], each["line"], each["target"], each["value"]) for each in report["written"])
+    acts += (occurred(each["time"], 0, each.get("axis"), each["kind"]) for each in report["events"])
     acts.sort(key=lambda act: (bool(act.subject), act.begin))
     status, time = report["status"], report["time"]
     return PlayedWay({"program": acts}, status, time, inf, {}, [], 0.0, frozenset(), frozenset(), {})

@@ -16,6 +16,7 @@ from motionlang.commands.diff.acts import (
     PlayedWay,
     acts_of,
     compared,
+    occurred,
     places_of,
     status_of,
 )
@@ -78,8 +79,7 @@ def way_of(run: Run) -> PlayedWay:
 
 def _events(run: Run, line: Any) -> Iterator[ComparedAct]:
     for each in run.machine.log.events:
-        subject = "event" if each.axis is None else f"axis {each.axis}"
-        yield ComparedAct(each.time, each.time, each.ordered or line(each.at), subject, each.kind)
+        yield occurred(each.time, each.ordered or line(each.at), each.axis, each.kind)
 
 
 def compared_runs(a: Run, b: Run, tolerance: Tolerance | None = None) -> RunsCompared:

@@ -45,7 +45,7 @@ def compare(verdict: Verdict, result: Run, found: list[str]) -> None:
     try:
         changes = differences(verdict.name, result)
     except ValueError as error:
-        what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared with"
+        what = "is not JSON" if isinstance(error, json.JSONDecodeError) else "cannot be compared"
         verdict.is_outdated = True
         verdict.fail(f"{os.path.basename(golden_files(verdict.name)[0])} {what}: {error}")
     else:
