@@ -3,7 +3,8 @@
 Problem. Two programs that did the same in each way that was played are only the same if the ways could have told.
 
 Idea. Statements are compared by their forms, which all spellings share, and by where they lead. One without a
-counterpart has changed. It must be carried out in a way that was compared; if it is a condition, it must come out both
+counterpart has changed. Assignments that follow each other have one order if none depends on another one. A changed
+statement must be carried out in a way that was compared; if it is a condition, it must come out both
 true and false there; and of what it computes something must show. In a way in which both programs have carried out the
 same statements, or others of the same forms, in the same order, all values were equal. In any other way a difference
 must show, or the changed statements in it are named.
@@ -14,6 +15,7 @@ Cost. Linear in the statements, but for the alignment.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain
 
@@ -21,13 +23,17 @@ from motionlang.commands.cover import coverage
 from motionlang.commands.diff.acts import ComparedActs, PlayedWay
 from motionlang.commands.diff.align import aligned
 from motionlang.kernel import Program
-from motionlang.kernel.lang import ACTS, NAME, PRINTS, UNTIL
+from motionlang.kernel.lang import ACTS, NAME, PRINTS, STARTS, UNTIL, Uses
 
 _NAMES = re.compile(rf"{NAME}\w+")
+# An assignment to a variable.
+_ASSIGNS = re.compile(rf"{NAME}\w+ = ")
 # The formats of a value that is printed.
 _FORMATS = re.compile(r"(?<=PrintItem )\S* \([^()]*\)")
 # A statement in a comparison: the number of its pair, or its form.
 Key = int | str
+# The kinds of units that run beside each other, and any variable.
+_STARTED, _ANY = ("program", "task", "event"), -(10**9)
 # Leads to a statement that has changed itself.
 _CHANGED = -1
 
@@ -38,10 +44,17 @@ class ChangedProgram:
     def __init__(self, program: Program) -> None:
         self.program, self.structure = program, program.structure
         statements = self.structure.statements
-        self.forms = {at: each.form for at, each in statements.items()}
+        self.forms = {
+            at: each.normal or each.form for at, each in statements.items() if each.effect != STARTS
+        }
+        # The offsets of assignments whose forms are in another place, since they may change places.
+        self._written: dict[int, int] = {}
+        # How it starts, which no run shows: forms by source offset.
+        self.starts = {at: each.form for at, each in statements.items() if each.effect == STARTS}
         # The heads of subs and handlers.
         self.heads = {unit.head: unit.line for unit in self.structure.units if unit.head}
         self.changed_heads: set[str] = set()
+        self.changed_starts: set[int] = set()
         # The pairs of statements that both programs have, by number; another statement is known by its form.
         self.pairs: dict[int, int] = {}
         # What a run carries out, but for what nothing leads to: debug builds begin statements, and the tests of a Case
@@ -62,7 +75,47 @@ class ChangedProgram:
 
     def lines(self, some: Iterable[int]) -> list[int]:
         """Return the lines of some statements."""
-        return sorted({self.structure.line(at) for at in some})
+        return sorted({self.structure.line(self._written.get(at, at)) for at in some})
+
+    def order_assignments(self) -> None:
+        """Give assignments that follow each other one order if each could be made before the others."""
+        points, uses = self.structure.points, self._assigned()
+        following: dict[int, set[int]] = {}
+        for p, point in enumerate(points):
+            following.setdefault(point.at, set()).update(at for at in self._next(p) if at != point.at)
+        leading = Counter(after for some in following.values() for after in some)
+        group: list[int] = []
+        for at in [*sorted(uses), -1]:
+            joins = group and at in uses and following[group[-1]] == {at} and leading[at] == 1
+            if joins and all(_may_swap(uses[at], uses[other]) for other in group):
+                group.append(at)
+                continue
+            ordered = sorted(group, key=self.forms.__getitem__)
+            self._written.update(zip(group, ordered, strict=True))
+            self.forms.update(zip(group, [self.forms[each] for each in ordered], strict=True))
+            group = [at]
+
+    def _assigned(self) -> dict[int, Uses]:
+        """Return the assignments to one variable, from variables alone, that no other task or handler reads."""
+        structure, graph = self.structure, self.structure.graph
+        reached = [graph.reached(each.entry) for each in structure.units if each.kind in _STARTED]
+        readers: dict[int, set[int]] = {}
+        for k, some in enumerate(reached):
+            for p in some:
+                use = graph.uses[p]
+                for n in (_ANY,) if use is None else use.reads:
+                    readers.setdefault(n, set()).add(k)
+        found: dict[int, Uses] = {}
+        for p, use in enumerate(graph.uses):
+            at = graph.points[p].at
+            if use is None or len(use.sets) != 1 or use.parts or not _ASSIGNS.match(self.forms.get(at, "")):
+                continue
+            owners = {k for k, some in enumerate(reached) if p in some}
+            others = {k for n in (*use.sets, _ANY) for k in readers.get(n, ())} - owners
+            statement = structure.statements[at]
+            if len(owners) == 1 and not others and not statement.uses and not statement.channels:
+                found[at] = use
+        return found
 
     @property
     def uncompared(self) -> set[int]:
@@ -90,6 +143,7 @@ class ChangedProgram:
         )
         heads = set[str]() if self._is_shown else self.changed_heads
         found = (self._silent - self._shown) | {at for at in declared if self._effect(at) == ACTS}
+        found |= self.changed_starts
         return sorted({*self.lines(found), *(self.heads[each] for each in heads)})
 
     def _effect(self, at: int) -> str:
@@ -156,6 +210,10 @@ class ChangedProgram:
                     stack.append(after)
 
 
+def _may_swap(one: Uses, other: Uses) -> bool:
+    return not (one.sets & (other.sets | other.reads) or other.sets & one.reads)
+
+
 def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedProgram]:
     """Return two programs with the statements of each that the other one does not have, or that lead elsewhere."""
     first, second = ChangedProgram(a), ChangedProgram(b)
@@ -168,6 +226,10 @@ def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedPro
     second.heads = {same(text): line for text, line in second.heads.items()}
     first.changed_heads = first.heads.keys() - second.heads.keys()
     second.changed_heads = second.heads.keys() - first.heads.keys()
+    first.order_assignments()
+    second.order_assignments()
+    for one, other in ((first, second), (second, first)):
+        one.changed_starts = {at for at, each in one.starts.items() if each not in other.starts.values()}
     old, new = first.forms, second.forms
     mine, others = sorted(old), sorted(new)
     rows = aligned([old[at] for at in mine], [new[at] for at in others], str)
@@ -179,11 +241,11 @@ def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedPro
     for text, texts, others_texts in ((first, *bare), (second, *bare[::-1])):
         text.formats = {at for at, each in texts.items() if each in others_texts.values()}
     leads = first.following(numbers[0]), second.following(numbers[1])
-    for one, other in pairs:
-        here, there = leads[0].get(one, []), leads[1].get(other, [])
+    for at, other_at in pairs:
+        here, there = leads[0].get(at, []), leads[1].get(other_at, [])
         if here != there and _CHANGED not in (*here, *there):
-            first.changed.add(one)
-            second.changed.add(other)
+            first.changed.add(at)
+            second.changed.add(other_at)
     return first, second
 
 

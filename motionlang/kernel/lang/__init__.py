@@ -79,6 +79,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.structure import PRINTS as PRINTS
     from motionlang.kernel.lang.structure import READ as READ
     from motionlang.kernel.lang.structure import SET_UP as SET_UP
+    from motionlang.kernel.lang.structure import STARTS as STARTS
     from motionlang.kernel.lang.structure import WRITE as WRITE
     from motionlang.kernel.lang.structure import AxisKey as AxisKey
     from motionlang.kernel.lang.structure import AxisUse as AxisUse
@@ -108,7 +109,7 @@ PUBLIC = {
     "machine.layers": "is_key_of_entries layered with_key_of_entries",
     "machine.switch": "switch",
     "machine.terminal": "Terminal",
-    "structure": "ACTS NAME PRINTS Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
+    "structure": "ACTS NAME PRINTS STARTS Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
     "step_list": "ListedUnit ListedStep listed_units",
     "wait_causes": "Read LoopDependencies KINDS MOVING",
     "steps": "Step Uses Values BACK BRANCH CALL END ENTER GO RETURN TEST UNTIL ENDLESS HEAD NEXT STOP conditions",

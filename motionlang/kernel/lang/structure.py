@@ -27,8 +27,9 @@ READ, WRITE, SET_UP = "read", "write", "set up"
 INPUTS = ("input", "input bank")
 # Marks a name of the program in the form of a statement.
 NAME = "~"
-# The effects of a statement: it only leads elsewhere or defines something, it only prints, or it has any other.
-LEADS, PRINTS, ACTS = "leads", "prints", "acts"
+# The effects of a statement: it only leads elsewhere or defines something, it only prints, it says how the program
+# starts, which no run shows, or it has any other.
+LEADS, PRINTS, STARTS, ACTS = "leads", "prints", "starts", "acts"
 # The axis of a use: its number, the parameter of a sub that holds it, None if it is unknown or if all are meant.
 AxisKey = int | str | None
 
@@ -134,15 +135,16 @@ class Statement:
     `condition` is the text of what it tests, "" if it tests nothing. `waits` is one of `record.records.CAUSES` if a
     task waits at it, and `what` has the numbers of the axes that it waits for. `is_silent` is True for a declaration
     and the like, `select` is the offset of the Select of a Case, -1 for any other statement.
-    `starts` and `ends` are the tasks
-    that it starts and ends. `form` is a text that all spellings of the statement share, in which `NAME` marks the names
-    of the program. `effect` is one of `LEADS`, `PRINTS` and `ACTS`.
+    `starts` and `ends` are the tasks that it starts and ends. `form` is a text that all spellings of the statement
+    share, in which `NAME` marks the names of the program. In `normal` comparisons that are equal for every value are
+    one, too; it is "" if it is the form. `effect` is one of `LEADS`, `PRINTS`, `STARTS` and `ACTS`.
     """
 
     at: int
     line: int
     text: str
     form: str = ""
+    normal: str = ""
     effect: str = ACTS
     condition: str = ""
     waits: str = ""

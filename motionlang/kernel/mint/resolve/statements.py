@@ -11,6 +11,7 @@ from motionlang.kernel.lang.structure import (
     PRINTS,
     READ,
     SET_UP,
+    STARTS,
     WRITE,
     AxisKey,
     ChannelUse,
@@ -21,7 +22,7 @@ from motionlang.kernel.lang.structure import (
 )
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.folding import fold
-from motionlang.kernel.mint.resolve.forms import form
+from motionlang.kernel.mint.resolve.forms import case_form, form
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.symbols import SEMAPHORE, TIME, Function, Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -33,7 +34,7 @@ _UNKNOWN = "?"
 # Statements that only jump or end: the graph shows them.
 _JUMPS = (nodes.Exit, nodes.Return)
 # Statements that only lead elsewhere, or whose content is where their names are.
-_DEFINING = (nodes.Const, nodes.Define, nodes.Auto)
+_DEFINING = (nodes.Const, nodes.Define)
 _LEADING = (*_JUMPS, nodes.Jump, nodes.Label, *_DEFINING)
 # Kinds of keywords that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant", "statement"))
@@ -88,13 +89,16 @@ class FactsReader:
                         f"{self._text(node.subject)} is {tests}{characters}" if case.tests else ""
                     )
                     made.select = node.start
+                    made.normal = case_form(node.subject, case.tests)
                     self._block(case.body)
             case nodes.For():
                 values = [node.first, node.stop, *([node.step] if node.step is not None else [])]
                 texts = [self._text(each) for each in (node.variable, *values)]
                 step = f" Step {texts[3]}" if len(texts) > 3 else ""
                 made = self._add(node.start, f"For {texts[0]} = {texts[1]} To {texts[2]}{step}", values)
-                made.form = f"For {form([node.variable, *values])}"
+                made.form, made.normal = (
+                    f"For {form([node.variable, *values], each)}" for each in (False, True)
+                )
                 made.condition = f"{texts[0]} in {made.text.partition('= ')[2]}"
                 self._block(node.body)
             case nodes.While():
@@ -142,11 +146,14 @@ class FactsReader:
     def _simple(self, node: nodes.Stmt) -> None:
         made = self._add(node.start, self._text(node), [])
         made.form = "" if isinstance(node, _DEFINING) else form(node)
+        made.normal = made.form and form(node, is_normal=True)
         is_call = isinstance(node, nodes.Call) and node.target.symbol is not None and not node.target.args
         if is_call or isinstance(node, _LEADING):
             made.effect = LEADS
         elif isinstance(node, nodes.Print):
             made.effect = PRINTS
+        elif isinstance(node, nodes.Auto):
+            made.effect = STARTS
         is_goto = isinstance(node, nodes.Jump) and node.kind == "goto"
         made.is_silent = not is_stop(node) or is_goto or isinstance(node, _JUMPS)
         match node:
@@ -180,7 +187,8 @@ class FactsReader:
 
     def _add(self, at: int, text: str, parts: Sequence[nodes.Node]) -> Statement:
         made = self.statements[at] = Statement(at, self.line(at), text)
-        made.form = f"{text.split(maxsplit=1)[0]} {form([*parts])}"
+        word = text.split(maxsplit=1)[0]
+        made.form, made.normal = (f"{word} {form([*parts], each)}" for each in (False, True))
         for each in parts:
             self._read(made, each)
         return made
