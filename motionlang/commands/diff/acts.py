@@ -9,7 +9,7 @@ tolerance of the user.
 from __future__ import annotations
 
 import re
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
@@ -36,8 +36,8 @@ OVERDUE = 2.0
 ORDER = 4
 # The words of a digital output that changes, by its level.
 LEVELS = ("off", "on")
-# The name of the handlers of a program in place of a task.
-HANDLERS = "handler"
+# The name, in place of a task, of what no statement does, such as the end of a pulse.
+WORLD = "world"
 # A terminal puts the next letters at a row and column.
 _PLACES = re.compile(r"\x1b\[(\d+);(\d+)H")
 
@@ -95,7 +95,7 @@ class PlayedWay(NamedTuple):
     number, in counts and user units. `stays` are the times of the rests of the machine, `changed` is when the world
     changed last. `begun` are the source offsets of the statements that began, `outcomes` those of the conditions that
     came out, with their numbers and how, `order` those of each task in the order in which they first began behind the
-    last change.
+    last change. `changes` are the times of all changes.
     """
 
     acts: Mapping[str, Sequence[ComparedAct]]
@@ -108,6 +108,7 @@ class PlayedWay(NamedTuple):
     begun: Set[int]
     outcomes: Set[tuple[int, int, bool]]
     order: Mapping[str, Sequence[int]]
+    changes: Sequence[float] = ()
 
     @property
     def is_at_rest(self) -> bool:
@@ -134,8 +135,19 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
         (each.levels(at)[-1][0] if each.moment.every else at for at, each in trial.timeline), default=0.0
     )
     order = {task: list(dict.fromkeys(each.at for each in some)) for task, some in trial.statements.items()}
+    changes = [at for at, _ in trial.timeline]
     return PlayedWay(
-        dict(acts), status, run.time, until, places, stays, changed, trial.begun, trial.outcomes, order
+        dict(acts),
+        status,
+        run.time,
+        until,
+        places,
+        stays,
+        changed,
+        trial.begun,
+        trial.outcomes,
+        order,
+        changes,
     )
 
 
@@ -281,13 +293,14 @@ def compared(a: PlayedWay, b: PlayedWay, tolerance: Tolerance = IN_WAYS) -> Comp
     undecided: list[ComparedAct] = []
     # By how much each axis may be elsewhere, in counts, since a move of it was cut off a little earlier or later.
     drift: dict[str, float] = defaultdict(float)
-    end = min(a.until, b.until)
     for task in dict.fromkeys((*a.acts, *b.acts)):
-        mine, others = ([each for each in one.acts.get(task, ()) if each.begin <= end] for one in (a, b))
+        mine, others = a.acts.get(task, ()), b.acts.get(task, ())
         pairs += _task(mine, others, (a, b), tolerance, found, later, undecided, drift)
     found.sort(key=lambda each: each.begin)
     if not found:
-        found += _ends(a, b, tolerance, {int(axis.split()[1]): far for axis, far in drift.items()})
+        # An axis whose moves the end of the way has cut off may be anywhere.
+        far = drift | {each.subject: inf for each in undecided if each.subject.startswith("axis ")}
+        found += _ends(a, b, tolerance, {int(axis.split()[1]): counts for axis, counts in far.items()})
     return ComparedActs(found, later, pairs, undecided)
 
 
@@ -328,7 +341,7 @@ def _task(
         if one is not None and other is not None:
             lags.append(other.end - one.end)
             pairs.append((one, other))
-    _times(pairs, tolerance, later)
+    _times(pairs, ways, tolerance, later)
     return pairs
 
 
@@ -340,10 +353,13 @@ def _overdue(
 ) -> Iterator[Row]:
     """Yield what differs behind the last act that both have; what the other side may still do is `undecided`.
 
-    What one side alone does so long after that act, or its last change, must be overdue on the other one when its way
-    ends: if both have had acts before, the other one may be slower.
+    What one side alone does so long after that act must be overdue on the other one when its way ends: if both have had
+    acts before, the other one may be slower. A task that has done nothing since the last change may wait for that, so
+    what it lacks counts from there.
     """
-    done = [max(ways[side].changed, 0.0 if last is None else last[side].begin) for side in (0, 1)]
+    begun = [0.0, 0.0] if last is None else [each.begin for each in last]
+    goes_on = [last is not None and begun[side] >= ways[side].changed for side in (0, 1)]
+    done = [begun[side] if any(goes_on) else max(ways[side].changed, begun[side]) for side in (0, 1)]
     slower = 1.0 if last is None else OVERDUE
     are_both = all(any(row[side] is not None for row in hunk) for side in (0, 1))
     for row in hunk:
@@ -371,13 +387,20 @@ def _is_moved(rows: Sequence[Row], hunk: Sequence[Row]) -> bool:
 
 
 def _times(
-    pairs: Sequence[tuple[ComparedAct, ComparedAct]], tolerance: Tolerance, later: list[Later]
+    pairs: Sequence[tuple[ComparedAct, ComparedAct]],
+    ways: tuple[PlayedWay, PlayedWay],
+    tolerance: Tolerance,
+    later: list[Later],
 ) -> None:
-    """Add what takes longer, or comes later behind the act before it, or behind a move that has ended since."""
+    """Add what takes longer, or comes later behind the act, the change of the world or the end of a move before it."""
     lag, before = 0.0, 0.0
     ends: list[tuple[float, float]] = []
+    changes = deque(zip(*(each.changes for each in ways), strict=False))
     for one, other in pairs:
         ends = [each for each in ends if each[0] >= before]
+        while changes and changes[0][0] <= one.begin:
+            at, in_b = changes.popleft()
+            ends.append((at, in_b - at))
         causes = [lag, *(late for ended, late in ends if ended <= one.begin + WITHIN)]
         lag, before = other.begin - one.begin, one.begin
         wait = min((lag - each for each in causes), key=abs)

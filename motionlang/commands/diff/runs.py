@@ -9,7 +9,7 @@ from math import inf
 from typing import TYPE_CHECKING, Any
 
 from motionlang.commands.diff.acts import (
-    HANDLERS,
+    WORLD,
     ActDifference,
     ComparedAct,
     Later,
@@ -62,14 +62,14 @@ class RunsCompared:
 def way_of(run: Run) -> PlayedWay:
     """Return what the tasks of a run do, with its events, as in a played way."""
     acts: dict[str, list[ComparedAct]] = defaultdict(list)
-    owners = {} if run.program is None else run.program.structure.owners()
+    owners = {} if run.program is None else run.program.structure.owners(with_handlers=True)
 
     def line(at: int) -> int:
         return run.dialect.locate(run.source, at)[0] if at >= 0 else 0
 
     found = [*acts_of(run, line), *_events(run, line)]
     for each in sorted(found, key=lambda act: act.begin):
-        acts[owners.get(each.line, HANDLERS)].append(each)
+        acts[owners.get(each.line, WORLD)].append(each)
     status = status_of(run, run.status)
     until = run.time if run.status == "until" else inf
     return PlayedWay(

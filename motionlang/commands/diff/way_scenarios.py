@@ -11,7 +11,7 @@ from motionlang.commands.init import slug
 from motionlang.commands.quantities import values_of
 from motionlang.commands.scenario_text import WITHIN, error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import Entry, Exploration, plain
+from motionlang.exploration import Entry, Exploration, plain, tables_of
 from motionlang.kernel import Run, run
 from motionlang.kernel.files import create
 
@@ -45,9 +45,10 @@ def write_scenarios(
 
 def _text(found: WaysCompared, each: FoundDifference, names: Names) -> str | None:
     shown = [acts[0].begin for acts in (each.difference.a, each.difference.b) if acts]
-    last = max((time for time, _ in each.way.timeline), default=0.0)
+    timeline = each.timelines[0]
+    last = max((time for time, _ in timeline), default=0.0)
     until = round(max(shown, default=min(each.a.time, each.b.time)) + BEYOND, 2)
-    tables = each.way.tables
+    tables = each.way.tables if each.way.world is not None else tables_of(timeline)
     a, b = found.a, found.b
     common = {key: value for key, value in a.settings.items() if b.settings.get(key) == value}
     for end in dict.fromkeys((max(until, last + BEYOND), round(min(each.a.time, each.b.time), 2))):

@@ -28,7 +28,7 @@ from math import ceil, inf, isclose
 from operator import itemgetter
 
 from motionlang.commands.diff.acts import (
-    HANDLERS,
+    WORLD,
     ActDifference,
     ComparedAct,
     ComparedActs,
@@ -104,8 +104,8 @@ class FoundDifference:
     """A difference, with the shortest way that shows it; `times` is the number of ways that do."""
 
     way: Way
-    # The changes as they come in B.
-    in_b: Timeline
+    # The changes as they come in A and in B.
+    timelines: tuple[Timeline, Timeline]
     difference: ActDifference
     a: PlayedWay
     b: PlayedWay
@@ -138,7 +138,8 @@ class WaysCompared:
     way that shows them, and may be a consequence of it.
 
     `same`, `differ`, `later` and `only` count the ways: those in which B only does the same at another time, and those
-    that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached.
+    that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
+    `partial` those of which only a part was.
     `left` are the ways that were not compared. Of the changed statements, `uncompared` are the lines that no way has
     carried out, `one_sided` the conditions that have not come out both ways, with the outcome that is missing, and
     `hidden` those on which nothing depends that was played.
@@ -156,6 +157,7 @@ class WaysCompared:
     later: list[FoundLater] = field(default_factory=list)
     cycles: list[CycleTime] = field(default_factory=list)
     unreached: dict[str, list[int]] = field(default_factory=dict)
+    partial: dict[str, list[int]] = field(default_factory=dict)
     uncompared: dict[str, list[int]] = field(default_factory=dict)
     one_sided: dict[str, dict[int, bool]] = field(default_factory=dict)
     hidden: dict[str, list[int]] = field(default_factory=dict)
@@ -178,7 +180,7 @@ class Player:
     def __init__(self, exploration: Exploration) -> None:
         self.exploration = exploration
         self.names: Mapping[str, str] = {}
-        self._owners = exploration.program.structure.owners()
+        self._owners = exploration.program.structure.owners(with_handlers=True)
         exploration.observe()
 
     def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
@@ -240,7 +242,7 @@ class Player:
             yield f"with {Change(table, number, 0.0).subject} {rule}", world
 
     def _owner(self, line: int) -> str:
-        title = self._owners.get(line, HANDLERS)
+        title = self._owners.get(line, WORLD)
         return self.names.get(title, title)
 
 
@@ -412,23 +414,26 @@ class _Comparison:
         """Play a way in both programs, and take note of what differs."""
         if way.world is not None:
             a, b = self.a.play_in(way.world), self.b.play_in(way.world)
-            self._note(way, (), a, b, compared(a, b))
+            self._note(way, ((), ()), a, b, compared(a, b))
             return
         last = way.timeline[-1][0] if way.timeline and not way.pace else 0.0
         patience = LONG if way.pace == SLOW else HORIZON
         a, b = (each.play(way.timeline, last, patience) for each in (self.a, self.b))
-        timeline, result = way.timeline, compared(a, b)
+        timelines, result = (way.timeline, way.timeline), compared(a, b)
         if last > 0.0 and (result.differences or result.later):
-            timeline, b, result = self._followed(way.timeline, self.a.play(way.timeline), b, result)
+            timelines, a, b = self._followed(way) or (timelines, a, b)
+            result = compared(a, b)
         usual = self._first.keys() | self._behind.keys()
         lacking = {each.key for each in result.differences if each.end is None and not (each.a and each.b)}
         if lacking - usual:
             # What one side lacks may only come later there.
-            a = self.a.play(way.timeline, 0.0, PATIENCE)
-            timeline, b, result = self._followed(way.timeline, a, b, result, PATIENCE)
-        self._note(way, timeline, a, b, result)
+            timelines, a, b = self._followed(way, PATIENCE) or (timelines, a, b)
+            result = compared(a, b)
+        self._note(way, timelines, a, b, result)
 
-    def _note(self, way: Way, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs) -> None:
+    def _note(
+        self, way: Way, timelines: tuple[Timeline, Timeline], a: PlayedWay, b: PlayedWay, result: ComparedActs
+    ) -> None:
         found = self.found
         note_played(self._texts, (a, b), result)
         found.played += 1
@@ -449,11 +454,11 @@ class _Comparison:
             known, listed = (self._behind, found.behind) if k else (self._first, found.differences)
             one = known.get(each.key)
             if one is None:
-                one = known[each.key] = FoundDifference(way, timeline, each, a, b, 0)
+                one = known[each.key] = FoundDifference(way, timelines, each, a, b, 0)
                 listed.append(one)
             one.times += 1
             if _length(way) < _length(one.way):
-                one.way, one.in_b, one.difference, one.a, one.b = way, timeline, each, a, b
+                one.way, one.timelines, one.difference, one.a, one.b = way, timelines, each, a, b
         laters: dict[object, Later] = {}
         for later in () if result.differences else result.later:
             laters.setdefault((later.act.line, later.act.subject, later.lasts), later)
@@ -479,7 +484,10 @@ class _Comparison:
         """Name the lines that no way has reached, and those whose changes have not shown."""
         found, sides = self.found, zip("AB", self._texts, (self.a, self.b), strict=True)
         for side, text, player in sides:
-            found.unreached[side] = player.exploration.without(text.begun)
+            lines = player.exploration.without(text.begun)
+            begun = set(text.lines(text.begun & text.forms.keys()))
+            found.unreached[side] = [line for line in lines if line not in begun]
+            found.partial[side] = [line for line in lines if line in begun]
             found.uncompared[side] = text.lines(text.uncompared)
             found.one_sided[side] = text.one_sided
             found.hidden[side] = text.hidden
@@ -493,44 +501,60 @@ class _Comparison:
         return ""
 
     def _followed(
-        self, timeline: Timeline, a: PlayedWay, b: PlayedWay, result: ComparedActs, patience: float = HORIZON
-    ) -> tuple[Timeline, PlayedWay, ComparedActs]:
-        """Play the changes in B as long after its rests as they came after those of A."""
+        self, way: Way, patience: float = HORIZON
+    ) -> tuple[tuple[Timeline, Timeline], PlayedWay, PlayedWay] | None:
+        """Play a way in both, each change as long after the rests of one as it came after those of the other.
+
+        The changes come as they were found; in the program that has not found them, they follow. None if it has done
+        something else before a change.
+        """
+        leader, follower = (self.a, self.b) if "A" in way.of else (self.b, self.a)
+        lead = leader.play(way.timeline, 0.0, patience)
         made: Timeline = ()
-        since, late = 0.0, 0.0
-        for time, group in groupby(timeline, key=lambda each: each[0]):
-            changes = tuple((time, change) for _, change in group)
+        before, since, late = 0.0, 0.0, 0.0
+        for time, group in groupby(way.timeline, key=itemgetter(0)):
             if time > 0.0:
-                part = self.b.play(made, since if made else 0.0, patience)
-                moved = _moment(time, a, part, late)
+                part = follower.play(made, since, patience)
+                moved = _moment(time, before, lead, part, late)
                 if moved is None:
-                    return timeline, b, result
+                    return None
                 late = moved - time
-            since = max(time + late, since)
-            made = (*made, *((round(since, 6), change) for _, change in changes))
-        if made == timeline and patience == HORIZON:
-            return timeline, b, result
-        again = self.b.play(made, 0.0, patience)
-        return made, again, compared(a, again)
+            before, since = time, max(time + late, since)
+            made = (*made, *((round(since, 6), change) for _, change in group))
+        follow = follower.play(made, 0.0, patience)
+        if leader is self.a:
+            return (way.timeline, made), lead, follow
+        return (made, way.timeline), follow, lead
 
 
-def _moment(time: float, a: PlayedWay, b: PlayedWay, late: float) -> float | None:
-    """Return when a change comes in B that came at a time in A; None if B has done something else before."""
+def _moment(time: float, since: float, lead: PlayedWay, follow: PlayedWay, late: float) -> float | None:
+    """Return when a change comes in a way that follows another one, in which it came at a time.
+
+    It comes in the middle of the same move, or when all tasks have come as far. The rests from a time on, that of the
+    change before, are those of the way that follows. None if that has done something else before.
+    """
     pairs: list[tuple[ComparedAct, ComparedAct]] = []
-    for task, acts in a.acts.items():
+    for task, acts in lead.acts.items():
         mine = [each for each in acts if each.begin < time]
-        others = b.acts.get(task, ())
+        others = follow.acts.get(task, ())
         if mine and len(others) >= len(mine) and others[len(mine) - 1].subject == mine[-1].subject:
             pairs.append((mine[-1], others[len(mine) - 1]))
         elif mine:
             return None
-    one, other = max(pairs, key=lambda pair: pair[0].begin, default=(None, None))
-    if one is None or other is None:
-        return time + late
-    if one.end > time or one.is_cut:  # in the middle of a move
+    moving = [(one, other) for one, other in pairs if one.end > time or one.is_cut]
+    if moving:
+        one, other = max(moving, key=lambda pair: pair[0].begin)
         return time + other.begin - one.begin
-    stays = [stay for stay in a.stays if one.end - 1e-3 <= stay[0] <= time]
-    others_stays = [stay for stay in b.stays if stay[0] >= other.end - 1e-3 or stay[1] == inf]
+    return max((_behind(time, since, lead, follow, pair) for pair in pairs), default=time + late)
+
+
+def _behind(
+    time: float, since: float, lead: PlayedWay, follow: PlayedWay, pair: tuple[ComparedAct, ComparedAct]
+) -> float:
+    """Return when a change comes that came at a time: as long after the rest behind an act as in the lead."""
+    one, other = pair
+    stays = [stay for stay in lead.stays if max(one.end, since) - 1e-3 <= stay[0] <= time]
+    others_stays = [stay for stay in follow.stays if stay[0] >= other.end - 1e-3 or stay[1] == inf]
     if not stays or not others_stays:
         return time + other.end - one.end
     stay = others_stays[min(len(stays), len(others_stays)) - 1]

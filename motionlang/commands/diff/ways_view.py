@@ -67,9 +67,11 @@ def summary(found: WaysCompared) -> str:
     ]
     limits = f"cycles {TIMES} to {MAX_TIMES} times, times to {1000 * WITHIN:.10g} ms"
     text = f"{count_of(found.played, 'way')} played in both ({limits}): {', '.join(parts)}"
-    a, b = (found.unreached[side] for side in "AB")
-    where = "not reached in either" if a == b else "not reached"
-    return f"{text}; {where}: {_of_sides(found.unreached)}" if a or b else text
+    for words, lines in (("not reached", found.unreached), ("reached only in part", found.partial)):
+        a, b = (lines[side] for side in "AB")
+        where = f"{words} in either" if a == b else words
+        text += f"; {where}: {_of_sides(lines)}" if a or b else ""
+    return text
 
 
 def not_compared(found: WaysCompared, explored: str = "AB") -> str:
@@ -205,7 +207,7 @@ def _seconds(value: float) -> str:
 
 def found_words(found: FoundDifference) -> str:
     """Return what differs in a way, and in how many."""
-    return difference_words(found.difference, found.times, "ways", found.way.timeline, found.in_b)
+    return difference_words(found.difference, found.times, "ways", *found.timelines)
 
 
 def _cycle(each: CycleTime) -> str:

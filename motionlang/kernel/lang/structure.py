@@ -255,16 +255,19 @@ class Structure:
             *(unit for unit in self.units if unit.kind == "macro" and unit.title.lower() in started),
         ]
 
-    def owners(self) -> dict[int, str]:
+    def owners(self, *, with_handlers: bool = False) -> dict[int, str]:
         """Return the lines that the program or a task carries out, each with the first of them that reaches it.
 
-        A line that only a handler reaches has none. A macro that nothing is known to start or call is of the program.
+        A line that only a handler reaches has none, or that handler. A macro that nothing is known to start or call is
+        of the program.
         """
         tasks = self.tasks()
         macros = [unit.entry for unit in self.units if unit.kind == "macro"]
         found: dict[int, str] = {}
         known: set[int] = set()
-        for owner, entries in [*((each.title, [each.entry]) for each in tasks), (tasks[0].title, macros)]:
+        units = [*tasks, *(unit for unit in self.units if with_handlers and unit.kind == "event")]
+        entered = [(each.title, [each.entry]) for each in units]
+        for owner, entries in [*entered[: len(tasks)], (tasks[0].title, macros), *entered[len(tasks) :]]:
             reached = self.graph.reached(*entries, known=known)
             known |= reached
             for at in sorted({self.points[p].at for p in reached}):
