@@ -30,9 +30,6 @@ from motionlang.kernel.tools import count_of, ranges
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.terminal import table_width, wants_colour
 
-# The time limit of a suggested world, s.
-UNTIL = 300.0
-
 
 @dataclass
 class Cover(OutputOptions, Jobs, Language):
@@ -120,9 +117,9 @@ examples:
         language = language_of(self.lang, file)
         if language is None:
             raise Refused([no_dialect(file)], file=file, status=2)
-        source, limit = read(file), UNTIL if self.until is None else self.until
+        source = read(file)
         ended = False
-        written: dict[str, str] = {}
+        scenarios: dict[str, str] = {}
         try:
             with playing(file) as progress:
                 all_own = worlds_of(file)
@@ -132,18 +129,18 @@ examples:
                 runs = Worlds(program, language)
                 before: Counter[Event] = Counter()
                 for settings in all_own.values():
-                    before += runs.run(settings, limit).events
+                    before += runs.run(settings, self.until).events
                 exploration = explore(
                     program,
                     without_world(own),
                     progress=progress,
                     **play_time(self.seconds),
                 )
-                search = Search(runs, exploration, own, before, limit)
+                search = Search(runs, exploration, own, before, self.until)
                 was = search.coverage
                 try:
                     for world in search.run():
-                        written |= self._write_scenario(file, world)
+                        scenarios |= self._write_scenario(file, world)
                 except (CutOff, KeyboardInterrupt, Terminated):
                     ended = True
         except CutOff as at:
@@ -151,15 +148,15 @@ examples:
             raise
         except ProgramError as error:
             raise Refused(error.diagnostics, source=source, file=file) from None
-        rows = [replace(each, file=file) for each in (was, search.coverage)]
-        shares = " → ".join(f"{percentage([each]):.0f} %" for each in rows)
-        text = f"{file}: {shares} with {count_of(len(written), 'scenario')}\n"
-        text += "".join(f"  {name}: {about}\n" for name, about in written.items())
-        missed = ranges(rows[1].missed)
+        found = replace(search.coverage, file=file, worlds=[*all_own, *scenarios])
+        shares = " → ".join(f"{percentage([each]):.0f} %" for each in (was, found))
+        text = f"{file}: {shares} with {count_of(len(scenarios), 'scenario')}\n"
+        text += "".join(f"  {name}: {about}\n" for name, about in scenarios.items())
+        missed = ranges(found.missed)
         if missed:
             more = "" if exploration.is_whole else ", and more could be tried: --seconds 60 plays on"
             text += f"  not reached: lines {missed}\n  {count_of(exploration.trials, 'trial')} played{more}\n"
-        self.show(coverage_document(rows[1:]), text)
+        self.show(coverage_document([found]), text)
         return SIGNALS.status if ended else 0
 
     def _write_scenario(self, file: str, world: SuggestedWorld) -> dict[str, str]:

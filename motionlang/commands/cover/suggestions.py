@@ -10,19 +10,22 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from math import floor
 from typing import Any
 
 from motionlang.commands.cover import Coverage, coverage
-from motionlang.commands.cover.worlds import CutOff, Event, Worlds
+from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
 from motionlang.exploration import LENGTH, Change, Entry, Exploration, entries, number_in, plain, tables_of
-from motionlang.kernel import ProgramError, Run, Source, read_machine, run
+from motionlang.kernel import Run, Source, read_machine
 from motionlang.kernel.lang import layered, names_in_comments
 from motionlang.kernel.report import axes as axes_of
 from motionlang.kernel.tools import ranges
 
+# The time limit of a world, s.
+UNTIL = 300.0
 # A world goes on for so long after its last transition, s.
 BEYOND = 2.0
 # Simple worlds are tried up to so many events in all.
@@ -38,10 +41,9 @@ REVIEW = "The expectations are what the program does in it: check whether they a
 
 @dataclass
 class SuggestedWorld:
-    """A world: its name, settings on top of the program's own, and the lines that it is the first to reach."""
+    """A world: its name, the text of its scenario, and the lines that it is the first to reach."""
 
     name: str
-    settings: dict[str, object]
     text: str
     reaches: list[int]
 
@@ -49,7 +51,7 @@ class SuggestedWorld:
 class Search:
     """The worlds of a program that reach more than its runs; `own` are the settings of its machine file.
 
-    `before` are the events that its runs have reached already, `limit` is the time limit of a world.
+    `before` are the events that its runs have reached already, `until` is the time limit of all runs, if it is given.
     """
 
     def __init__(
@@ -58,13 +60,12 @@ class Search:
         exploration: Exploration,
         own: dict[str, object],
         before: Counter[Event],
-        limit: float,
+        until: float | None,
     ) -> None:
-        self.worlds, self.exploration, self.own, self.limit = worlds, exploration, own, limit
-        self.events = before.copy()
+        self.worlds, self.exploration, self.own, self.until = worlds, exploration, own, until
+        self.events = before
         # What all runs together have reached.
         self.coverage = self._covered()
-        self.found: list[SuggestedWorld] = []
         # The events of all worlds.
         self.work = 0
         names = names_in_comments(exploration.program.source, worlds.language)
@@ -77,9 +78,9 @@ class Search:
                 return
             yield from self._try(name, settings)
 
-    def _covered(self) -> Coverage:
+    def _covered(self, more: Mapping[Event, int] | None = None) -> Coverage:
         program = self.worlds.program
-        return coverage(program.structure, program.offsets, self.events)
+        return coverage(program.structure, program.offsets, self.events + Counter(more))
 
     def _candidates(self) -> Iterator[tuple[str, dict[str, object]]]:
         """Yield names and settings: of the cycle, of each transition, and of other keys and answers."""
@@ -90,7 +91,8 @@ class Search:
         added = {key: value for key, value in added.items() if key not in self.own}
 
         def settings(tables: Mapping[str, object], until: float) -> dict[str, object]:
-            return {**added, **self._above(tables), "run.until": round(min(until, self.limit), 2)}
+            limit = round(min(until, UNTIL), 2) if self.until is None else self.until
+            return {**added, **self._above(tables), "run.until": limit}
 
         yield "work", settings(world.settings, world.run.time)
         transitions = [each for node in exploration.nodes for each in node.transitions]
@@ -141,66 +143,65 @@ class Search:
         return name.removesuffix("-and") or "by-itself"
 
     def _try(self, name: str, settings: dict[str, object]) -> Iterator[SuggestedWorld]:
-        """Run a world, and yield it if it reaches something new and its expectations hold."""
+        """Run a world, and yield a scenario of it if it reaches something new and its expectations hold.
+
+        The scenario stops itself, unless what the world reaches comes later.
+        """
         world = self.worlds.run(layered(self.own, settings))
         self.work += world.events.total()
         if not any(event not in self.events for event in world.events):
             return
-        before = self.coverage
-        events, self.events = self.events, self.events + world.events
-        found = self._covered()
-        reaches = sorted(before.missed.keys() - found.missed.keys())
-        if world.is_cut:  # the scenario ends where its run did
-            settings = {**settings, "run.until": round(world.result.time, 2)}
-        suggestion = SuggestedWorld(name, settings, "", reaches)
-        text = self._verified(suggestion, world.result) if found.reached > before.reached else None
-        if text is None:
-            self.events = events
+        before, wanted = self.coverage.reached, self._covered(world.events).reached
+        if wanted == before:
             return
-        self.coverage = found
-        suggestion.text = text
-        self.found.append(suggestion)
-        yield suggestion
+        if world.is_cut:  # the scenario ends where its run did
+            settings = {**settings, "run.until": floor(world.result.time * 100) / 100}
+        stop = {f"run.stop.{key}": value for key, value in ending(world.result).items()}
+        for ends, least in ((stop, wanted), ({}, before + 1)):
+            suggestion = self._written(name, {**settings, **ends}, least)
+            if suggestion is not None:
+                yield suggestion
+                return
 
-    def _verified(self, suggestion: SuggestedWorld, result: Run) -> str | None:
-        """Return the text of a scenario that `verify` passes, without prints if it must be; None if it does not."""
-        program, stop = self.exploration.program, ending(result)
-        lines = ranges(suggestion.reaches)
-        name = program.source.name.rpartition("/")[2]
-        reaches = f"lines {lines}" if lines else "more"
-        about = f"A world of {name}, found by motionlang cover --suggest. It reaches {reaches}. {REVIEW}"
-        settings = suggestion.settings | {f"run.stop.{key}": value for key, value in stop.items()}
+    def _written(self, name: str, settings: Mapping[str, object], least: int) -> SuggestedWorld | None:
+        """Return a scenario that `verify` passes, without prints if it must be; None if it fails or reaches less.
+
+        What it reaches is what a run of its text does.
+        """
+        path = f"{name}.toml"
+        above = read_machine(Source(path, scenario_text("", settings, ())), is_layer=True)
+        played = self.worlds.run(layered(self.own, above))
+        found = self._covered(played.events)
+        if found.reached < least:
+            return None
+        reaches = sorted(self.coverage.missed.keys() - found.missed.keys())
+        program = self.exploration.program.source.name.rpartition("/")[2]
+        more = f"lines {ranges(reaches)}" if reaches else "more"
+        about = f"A world of {program}, found by motionlang cover --suggest. It reaches {more}. {REVIEW}"
         for has_prints in (True, False):
-            text = scenario_text(about, settings, _expected(result, bool(stop), has_prints))
-            above = read_machine(Source(f"{suggestion.name}.toml", text), is_layer=True)
-            expected: list[Entry] = above.pop("expect", [])  # type: ignore[assignment]
-            try:
-                again = run(program.source, dialect=self.worlds.language, machine=layered(self.own, above))
-            except ProgramError:
-                return None
-            if again.status == "interrupted":
-                raise CutOff(again, Counter())
-            if not unmet(again, list(expected)):
-                return text
+            expected = [*_expected(played.result, has_prints)]
+            if not unmet(played.result, [*expected]):
+                self.events += played.events
+                self.coverage = found
+                return SuggestedWorld(name, scenario_text(about, settings, expected), reaches)
         return None
 
 
-def _expected(result: Run, stops: bool, has_prints: bool) -> Iterator[Entry]:
-    """Yield what a run has done, as expectations: no time, no figure and, if it `stops` itself, only its events.
+def _expected(result: Run, has_prints: bool) -> Iterator[Entry]:
+    """Yield what a run has done, as expectations: no time, no figure and, if it was stopped, only its events.
 
     The positions at a time limit depend on the speed of the machine, so they are none.
     """
-    status = "stopped" if stops else result.status
-    if status in ("ended", "until", "stopped", "fault"):
-        yield {"status": status}
+    if result.status in ("ended", "until", "stopped", "fault"):
+        yield {"status": result.status}
     for code in error_codes(result):
         # An error of a file is nothing that the machine does.
-        if code == "beyond-limit" or not (stops or code == "machine-file"):
+        if code != "machine-file":
             yield {"diagnostic": code}
     if has_prints:
         for text in list(dict.fromkeys(filter(None, map(_wording, result.output))))[-MAX_LINES:]:
             yield {"prints": text}
-    if stops or status in ("until", "stopped"):
+    if result.status in ("until", "stopped"):
         return
     rows: Iterable[dict[str, Any]] = axes_of(result)
     yield from positions(result, (axis["axis"] for axis in rows))

@@ -17,6 +17,7 @@ from tests.cli.programs import Cell
 from tests.commands.worlds import world_of
 from tests.generated import polls
 from tests.generated.compared import every_iteration
+from tests.generated.machines import machine
 
 ROOT = Path(__file__).parents[3]
 GALLERY = sorted(
@@ -269,6 +270,12 @@ def test_the_counts_are_those_of_a_debugger_that_steps_through(name: str) -> Non
     assert {each.at: each.count for each in found.statements if each.count} == met
 
 
+def figures_agree(cell: Cell, name: str, *options: str) -> bool:
+    """True if the counts that --suggest reports are those of a run of the files it wrote, and `verify` passes them."""
+    said = cell("cover", name, "--suggest", "--format", "json", *options).out
+    return cell("cover", name, "--format", "json", *options).out == said and not cell("verify", name).status
+
+
 LINE = """\
 AUTO
 LINE 1,"STANDBY"
@@ -339,6 +346,50 @@ def test_a_scenario_has_the_names_of_its_changes(cell: Cell) -> None:
     assert cell("verify", "old.prg").status == 0
 
 
+PALLET = """\
+Dim n As Integer
+Loop
+  Pause INX(0)
+  MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+  n = n + 1
+  Print "case ", n
+  If n = 12 Then
+    Print "pallet full"
+    n = 0
+  End If
+  Pause INX(0) = 0
+End Loop
+"""
+
+
+def test_a_scenario_goes_on_to_what_it_reaches(cell: Cell) -> None:
+    """Ten cycles would be enough for its moves, but the pallet is full after twelve."""
+    cell.write("pallet.mnt", PALLET)
+    assert (
+        cell("cover", "pallet.mnt", "--suggest").out
+        == """\
+pallet.mnt: 15 % → 100 % with 1 scenario
+  pallet.scenarios/work.toml: reaches lines 4-9, 11
+"""
+    )
+    assert cell("cover", "pallet.mnt", "--fail-under", "100").status == 0
+    assert cell("verify", "pallet.mnt").status == 0
+
+
+def test_the_suggested_figures_are_those_of_the_scenarios(cell: Cell) -> None:
+    """A limit of both commands ends the same runs: 40 s are more than the program needs."""
+    cell.write("guard.prg", GUARD)
+    assert figures_agree(cell, "guard.prg", "--until", "40")
+
+
+@pytest.mark.slow
+@cases("seed", [9, 14, 16])
+def test_the_suggested_figures_of_drawn_machines_are_those_of_their_scenarios(seed: int, cell: Cell) -> None:
+    suffix, text, _ = machine(seed)
+    cell.write(f"m{seed}{suffix}", text)
+    assert figures_agree(cell, f"m{seed}{suffix}")
+
+
 @pytest.mark.parametrize("words", ["--all", "--fail-under 9", "--html x.html", "--lcov x.info"])
 def test_suggestions_take_no_option_of_the_table(words: str, table: Cell) -> None:
     ran = table("cover", "table.mnt", "--suggest", *words.split())
@@ -351,10 +402,10 @@ def test_a_limit_of_the_search_needs_a_search(table: Cell) -> None:
 
 
 @pytest.mark.slow
-@cases("name", QUICK)
+@cases("name", [*QUICK, "label.prg"])
 def test_suggestions_reach_nine_tenths_of_an_old_program(name: str, cell: Cell) -> None:
     cell.write(name, (ROOT / "examples" / "old" / name).read_bytes())
-    assert cell("cover", name, "--suggest").status == 0
+    assert figures_agree(cell, name)
     assert cell("cover", name, "--quiet", "--fail-under", "90").status == 0
 
 
