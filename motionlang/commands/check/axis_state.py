@@ -434,7 +434,7 @@ class Follower:
 
     def _entry(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:
         self._check_scale(act, key, axis)
-        return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), stale=frozenset(), empty=False)
+        return axis._replace(waiting=min(axis.waiting + 1, MAX_ENTRIES), empty=False)
 
     def _check_scale(self, act: Use, key: Key, axis: AxisFacts) -> None:
         """Report the settings in an old unit that a motion uses, which `stale` then has."""
@@ -509,7 +509,6 @@ class Follower:
             fresh=False,
             target=None,
             frame=None if act.row.does("datum") else axis.frame,
-            stale=frozenset(),
             empty=False,
             span=None,
             jogs=jogs,
@@ -568,7 +567,7 @@ class Follower:
             self._report_problem("replaced", act, key, axis)
         if axis.jogs and axis.mode == TARGETS and self.facts.needs_rest(axis.shape):
             self._report_problem("still-running", act, key, axis)
-        axis = axis._replace(stale=frozenset(), unmoved=False)
+        axis = axis._replace(unmoved=False)
         if axis.mode != TARGETS:
             return axis._replace(
                 motion=UNKNOWN, fresh=False, target=None, span=None, jogs=False, distance=None
@@ -632,7 +631,6 @@ class Follower:
             jogs=runs,
             unmoved=False,
             distance=None,
-            stale=frozenset(),
         )
 
     def _rest(self, act: Use, number: int, key: Key, axis: AxisFacts) -> AxisFacts:

@@ -11,8 +11,8 @@ from motionlang.kernel.mccl.axis.axis import nearest_whole
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
 
-# Verbs of the commands after which rates are in units of the user, and not rounded.
-_SCALES = frozenset(("scale", "rate", "time_unit", "constant", "offset", "zero"))
+# Verbs of the commands after which the board no longer rounds rates: US, UR, UO and UZ. UK is of torques, UT of waits.
+_SCALES = frozenset(("scale", "rate", "offset", "zero"))
 _RATES = frozenset(("uu/s", "uu/s2"))
 
 

@@ -10,8 +10,11 @@ from motionlang.kernel.mccl import table
 from motionlang.kernel.tools import listed
 
 if TYPE_CHECKING:
+    from motionlang.commands.check.axis_state import AxisFacts
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
     from motionlang.commands.check.mint.mint_facts import MintFacts
+    from motionlang.commands.check.rule_facts import Facts
+    from motionlang.kernel.lang import AxisKey as Key
 
 # The settings that a scale changes, in the order of a message.
 _ORDER = ("speed", "accel", "decel", "minimum", "vector speed", "vector accel", "vector decel")
@@ -19,7 +22,7 @@ _LIMITS = {"upper limit": "SOFTLIMITFORWARD", "lower limit": "SOFTLIMITREVERSE"}
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
-    for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
+    for (key, _), axis in _first_motions(facts).items():
         words = ", ".join(sorted(_LIMITS.get(each, each.upper()) for each in axis.stale))
         message = f"the scale of axis {spelt(key)} is set after {words}, whose value it changes"
         assert axis.scaled is not None
@@ -28,7 +31,7 @@ def check_mint(facts: MintFacts, warn: Warn) -> None:
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     names = {row.gives: row.name for row in table()}
-    for _, key, axis in facts.axes.problems.get("scale-after-speed", ()):
+    for (key, _), axis in _first_motions(facts).items():
         stale = [names[slot] for slot in _ORDER if slot in axis.stale]
         if not stale:  # soft limits are counts, whichever scale comes first
             continue
@@ -41,6 +44,12 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     for act, key, _ in facts.axes.problems.get("scale-pending", ()):
         message = f"{facts.text(act)} is in the old unit: the scale of axis {key} is in force only from the next MN on"
         warn(message, act.at, f"{key}MN before it puts it in force")
+
+
+def _first_motions(facts: Facts) -> dict[tuple[Key, int | None], AxisFacts]:
+    """Return what is known of an axis at its first motion, by the axis and the offset of the scale before it."""
+    found = facts.axes.problems.get("scale-after-speed", [])
+    return {(key, axis.scaled): axis for _, key, axis in reversed(found)}
 
 
 RULE = Rule(
