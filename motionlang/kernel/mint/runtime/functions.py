@@ -223,7 +223,7 @@ def leading_number(text: str) -> tuple[float, str]:
     text = text.strip()
     for end in range(len(text), 0, -1):
         head = text[:end]
-        if head[-1].isdigit() or head[-1] == ".":
+        if head.isascii() and (head[-1].isdigit() or head[-1] == "."):
             try:
                 return float(head.replace("_", "x")), text[end:]
             except ValueError:
