@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from math import prod
 
 from motionlang.kernel.mint.check import keywords, terminal
@@ -16,7 +16,8 @@ from motionlang.kernel.mint.check.unknown_words import (
     unknown_name,
 )
 from motionlang.kernel.mint.check.values import NOTHING, Value, article
-from motionlang.kernel.mint.check.variables import location
+from motionlang.kernel.mint.check.variables import check_subscript, location
+from motionlang.kernel.mint.resolve.handlers import label_handlers
 from motionlang.kernel.mint.resolve.symbols import INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, Symbol, Type
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
@@ -215,6 +216,46 @@ def _for(b: Body, node: nodes.For) -> None:
     if node.step is not None and _may_be_0(b, node.step) and not _may_end(node, symbol):
         b.problem("range", "a For that counts by 0 never ends", node.step, "leave it with Exit For")
     _body(b, "for", node.body)
+    others = symbol.shared and any(each.kind in ("task", "event") for each in b.program.names.functions)
+    if not (others or _may_end(node, symbol) or label_handlers(b.function)):
+        _check_elements(b, node, symbol)
+
+
+def _check_elements(b: Body, node: nodes.For, symbol: Symbol) -> None:
+    """Report the elements outside their arrays that a For comes to by its first or its last value, each time."""
+    loops = nodes.While | nodes.Repeat | nodes.Loop
+    if any(isinstance(each, loops) or _is_function(each) for each in walk(node.body)):
+        return
+    for statement in _every_time(node.body):
+        for name in walk([statement]):
+            if type(name) is not nodes.Name or name.symbol is None:
+                continue
+            for arg, size in zip(name.args or (), name.symbol.dimensions, strict=False):
+                for value in _ends(node) if _is_variable(arg, symbol) else ():
+                    check_subscript(b, arg, value, size)
+
+
+def _ends(node: nodes.For) -> tuple[int, ...]:
+    """Return the first and the last value of a For that is carried out, () if they are not known before the run."""
+    first, stop, step = node.first.const, node.stop.const, 1 if node.step is None else node.step.const
+    if not (isinstance(first, int) and isinstance(stop, int) and isinstance(step, int) and step):
+        return ()
+    return (first, stop - (stop - first) % step) if (stop - first) * step >= 0 else ()
+
+
+def _every_time(body: list[nodes.Stmt]) -> Iterator[nodes.Stmt]:
+    """Yield the assignments and prints of a body that are carried out whole whenever it is."""
+    for each in body:
+        if type(each) is nodes.For and _ends(each):
+            yield from _every_time(each.body)
+        elif isinstance(each, nodes.Assign | nodes.Print) and not any(
+            type(part) is nodes.Binary and part.op in ("And", "Or") for part in walk([each])
+        ):
+            yield each
+
+
+def _is_function(node: nodes.Node) -> bool:
+    return isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub"
 
 
 def _may_be_0(b: Body, step: nodes.Expr) -> bool:
@@ -242,7 +283,7 @@ def _may_end(node: nodes.For, symbol: Symbol) -> bool:
             return True
         if isinstance(each, nodes.Call) and each.target.row is None:
             return True
-        if isinstance(each, nodes.Assign) and _is_variable(each.target, symbol):
+        if isinstance(each, nodes.Assign | nodes.Input) and _is_variable(each.target, symbol):
             return True
         if isinstance(each, nodes.For) and _is_variable(each.variable, symbol):
             return True

@@ -37,11 +37,15 @@ def _element(
     else:
         for arg, size in zip(args, sizes, strict=True):
             known = b.number(arg, "a subscript").const
-            if known is not None and size and not 1 <= known <= size:  # type: ignore[operator]
-                hint = "the first element of an array has the subscript 1"
-                b.problem(
-                    "index", f"there is no element {known}: the subscript must be 1 to {size}", arg, hint
-                )
+            if known is not None:
+                check_subscript(b, arg, known, size)  # type: ignore[arg-type]
+
+
+def check_subscript(b: Body, node: nodes.Node, value: float, size: int) -> None:
+    """Report a subscript outside 1 … size, if the size is known."""
+    if size and not 1 <= value <= size:
+        hint = "the first element of an array has the subscript 1"
+        b.problem("index", f"there is no element {value}: the subscript must be 1 to {size}", node, hint)
 
 
 def member(b: Body, node: nodes.Member) -> Symbol | None:
