@@ -69,7 +69,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.moves import Moves as Moves
     from motionlang.kernel.report_types import Report as Report
     from motionlang.kernel.result import Run as Run
-    from motionlang.kernel.result import who_ended as who_ended
+    from motionlang.kernel.run_notes import who_ended as who_ended
     from motionlang.kernel.source import MAX_BYTES as MAX_BYTES
     from motionlang.kernel.source import STDIN as STDIN
     from motionlang.kernel.source import STDIN_NAME as STDIN_NAME
@@ -88,7 +88,8 @@ PUBLIC = {
     # Runs.
     "execution": "run run_on CheckedSettings end_of ONE_SHIFT dialect_for dialect_of language_of machine_of "
     "settings_next_to checked_settings MACHINE_SUFFIX",
-    "result": "Run who_ended",
+    "result": "Run",
+    "run_notes": "who_ended",
     "assumptions.used": "depended_on",
     "report_types": "Report",
     "moves": "Move Moves",

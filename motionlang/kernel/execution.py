@@ -16,8 +16,8 @@ from motionlang.kernel.lang.machine.file import first_mistake, flat, read_machin
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
-from motionlang.kernel.result import (
-    Run,
+from motionlang.kernel.result import Run
+from motionlang.kernel.run_notes import (
     has_run_out,
     interrupted,
     open_nonvolatile,
