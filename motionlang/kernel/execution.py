@@ -29,6 +29,7 @@ from motionlang.kernel.run_notes import (
     report_stop,
     report_stuck,
     report_unasked,
+    report_wide_positions,
     save_nonvolatile,
 )
 from motionlang.kernel.source import STDIN, Source
@@ -181,6 +182,7 @@ def _perform(
         result.notes += notes(result.controller)
     result.notes += result.machine.notes
     report_ignored_limits(result)
+    report_wide_positions(result)
     if result.machine.without_effect or result.machine.assumed:
         report_keywords_without_effect(result)
     if result.machine.nv is not None:

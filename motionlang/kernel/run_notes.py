@@ -6,6 +6,7 @@ They are about keywords without effect, waits that nothing ended, guesses, and t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import chain
 from math import inf
 
 from motionlang.kernel.controller.axis import Axis
@@ -24,6 +25,8 @@ from motionlang.kernel.tools import clipped, count_of
 
 # The tables of what other devices write.
 _WRITTEN = ("comms", "netdata", "modbus.register")
+# The first position in counts that does not fit 32 bits.
+COUNTER = 1 << 31
 # Lines that a message names at the most.
 MAX_NAMED_LINES = 12
 # Maximum lines that are named for a keyword without effect.
@@ -173,6 +176,17 @@ def report_ignored_limits(result: Run) -> None:
         for line, position in (each.ignored for each in a.limits if each.ignored is not None):
             text = f"axis {axis} passed its limit switch at {position:.10g}, which was not in force"
             result.notes.append(f"line {line}: {text}")
+
+
+def report_wide_positions(result: Run) -> None:
+    """Note the axes without a wrap that were beyond the 32 bits of a counter, as a move began or at the end."""
+    axes = {number: a for number, a in result.controller.axes.items() if not a.scale.wrap}
+    ends = ((number, a.position(result.machine.clock.now) - a.scale.zero) for number, a in axes.items())
+    begun = ((each.axis, each.profile.start - each.zero) for each in result.machine.log.moves if each.profile)
+    wide = {number for number, counts in chain(ends, begun) if not -COUNTER <= counts < COUNTER}
+    for number in sorted(wide & axes.keys()):
+        counter = "beyond 32 bits of counts, where a controller may wrap or stop"
+        result.notes.append(f"axis {number}: its position was {counter}")
 
 
 def report_guesses(result: Run) -> None:
