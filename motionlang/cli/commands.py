@@ -6,7 +6,8 @@ Other distributions add commands by entry points: docs/contributing/commands.md.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -102,11 +103,13 @@ def parse(given: Sequence[str]) -> Command:
     return made
 
 
-def _listing(others: Mapping[str, EntryPoint]) -> str:
+def _listing(others: Mapping[str, str]) -> str:
     """Return the commands by group, with their summaries."""
-    groups = {title: {name: row[1] for name, row in rows.items()} for title, rows in GROUPS.items()}
+    groups: dict[str, Mapping[str, str]] = {
+        title: {name: row[1] for name, row in rows.items()} for title, rows in GROUPS.items()
+    }
     if others:
-        groups["commands of other packages"] = {name: _summary(each) for name, each in others.items()}
+        groups["commands of other packages"] = others
     lines = []
     for title, summaries in groups.items():
         lines += [f"{title}:", *(f"  {name:<11} {summary}" for name, summary in summaries.items()), ""]
@@ -121,19 +124,25 @@ def _others() -> dict[str, EntryPoint]:
     return {name: found[name] for name in sorted(found.keys() - COMMANDS.keys())}
 
 
-def _summary(other: EntryPoint) -> str:
-    """Return the summary of a command's distribution, which is known without importing the command."""
-    return as_hint(str(other.dist.metadata.json.get("summary", ""))) if other.dist else ""
+def _summary(other: EntryPoint, others: Iterable[EntryPoint]) -> str:
+    """Return the summary of a command: that of its distribution, or of its class if the distribution has several."""
+    name, own = other.dist.name if other.dist else other.module, ""
+    if len([each for each in others if each.dist is not None and each.dist.name == name]) > 1:
+        with suppress(Exception):  # it is reported when the command is typed
+            own = other.load().summary
+    about = str(other.dist.metadata.json.get("summary", "")) if other.dist else ""
+    return own or as_hint(about) or f"a command of {name}"
 
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
     """Return the parser of a command, of all commands if it is "*", or of their names alone."""
     others = {} if command in (*COMMANDS, *VERSION) else _others()
+    summaries = {name: _summary(each, others.values()) for name, each in others.items()}
     parser = Parser(
         prog=PROGRAM,
         usage=f"{PROGRAM} [-h] [-V] COMMAND ...",
         description="Run motion-controller programs offline: Mint (Baldor/ABB) and MCCL (PMC).",
-        epilog=_listing(others) + EPILOG,
+        epilog=_listing(summaries) + EPILOG,
     )
     if command in EXTRAS and command not in others:
         install = f"python -m pip install ./extras/{command}"
@@ -149,10 +158,10 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
             commands.add_parser(name, help=summary)
     for name, each in others.items():
         if command not in (name, "*"):
-            commands.add_parser(name, help=_summary(each))
+            commands.add_parser(name, help=summaries[name])
             continue
         try:
-            each.load().add(commands, name, _summary(each))
+            each.load().add(commands, name, summaries[name])
         except Exception as error:  # not a mistake of this package
             parser.exit(2, f"{PROGRAM}: error: {each.value} for the command {name} cannot be used: {error}\n")
     return parser

@@ -65,4 +65,59 @@ def test_an_entry_point_without_a_command(
         assert end.value.code == status
     out, err = capsys.readouterr()
     assert err == f"motionlang: error: {entry} for the command other cannot be used: {reason}\n"
-    assert "\n  other       \n" in out
+    assert "\n  other       a command of other\n" in out
+
+
+LENGTHS = """\
+from dataclasses import dataclass
+from typing import ClassVar
+
+from motionlang.cli.command import Command
+
+
+@dataclass
+class Minutes(Command):
+    summary: ClassVar[str] = "print the minutes of a program"
+
+    def run(self) -> int:
+        return 0
+
+
+@dataclass
+class Hours(Command):
+    def run(self) -> int:
+        return 0
+"""
+
+
+@pytest.mark.parametrize(
+    ("about", "others"),
+    [("Summary: How long programs run.\n", "how long programs run"), ("", "a command of lengths")],
+)
+def test_several_commands_of_a_package_have_summaries_of_their_own(
+    about: str,
+    others: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A command without one has that of its package, or the name of it."""
+    (tmp_path / "lengths.py").write_text(LENGTHS, encoding="utf-8")
+    info = tmp_path / "lengths-1.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(
+        f"Metadata-Version: 2.1\nName: lengths\nVersion: 1\n{about}", encoding="utf-8"
+    )
+    (info / "entry_points.txt").write_text(
+        "[motionlang.commands]\nminutes = lengths:Minutes\nhours = lengths:Hours\n", encoding="utf-8"
+    )
+    monkeypatch.syspath_prepend(str(tmp_path))
+    for line in ("--help", "minutes --help", "hours --help"):
+        with pytest.raises(SystemExit) as end:
+            main(line.split())
+        assert end.value.code == 0
+    out = capsys.readouterr().out
+    assert f"\n  hours       {others}\n" in out
+    assert "\n  minutes     print the minutes of a program\n" in out
+    assert "\nPrint the minutes of a program.\n" in out
+    assert f"\n{others[0].upper()}{others[1:]}.\n" in out
