@@ -94,7 +94,6 @@ def _in_counts(
 _LINE = Actions(load=loads(put_line))
 _ARC = Actions(load=loads(put_arc))
 
-_MAX_VALUE = 8388607.0
 _READY = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 _END = '\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(0), " ", POS(1)'
 _TWO = "VECTORR(0, 1) = 60, 0\nVECTORR(0, 1) = 0, 60\nGO(0)\nPAUSE IDLE(0)\nPRINT POS(1)"

@@ -125,10 +125,6 @@ def _word(token: Token) -> Word:
     return Word(token, token.start_pos, token.end_pos)
 
 
-def _start(symbol: Token | Node) -> int:
-    return symbol.start if isinstance(symbol, Node) else symbol.start_pos
-
-
 def _end(symbol: Token | Node) -> int:
     return symbol.end if isinstance(symbol, Node) else symbol.end_pos
 
