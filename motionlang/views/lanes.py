@@ -23,10 +23,19 @@ class ChannelLane(NamedTuple):
     """
 
     group: str
-    name: str
-    is_digital: bool
+    number: int
     times: list[float]
     values: list[float]
+
+    @property
+    def name(self) -> str:
+        """Its short name, such as "in3"."""
+        return f"{GROUPS[self.group][1]}{self.number}"
+
+    @property
+    def is_digital(self) -> bool:
+        """True if it is on or off."""
+        return GROUPS[self.group][2]
 
     def spans(self, end: float) -> list[tuple[float, float]]:
         """Return the intervals in which a digital channel is on.
@@ -47,13 +56,13 @@ class ChannelLane(NamedTuple):
 def lanes(controller: Controller) -> list[ChannelLane]:
     """Return a lane for every channel that changed, by group and number."""
     made: list[ChannelLane] = []
-    for group, (attribute, prefix, is_digital) in GROUPS.items():
+    for group, (attribute, _, _) in GROUPS.items():
         changes: Stream[Changed] | Stream[Switched] = getattr(controller.log, attribute)
         found: dict[int, ChannelLane] = {}
         for time, channel, value, *_ in changes:
             lane = found.get(channel)
             if lane is None:
-                lane = found[channel] = ChannelLane(group, f"{prefix}{channel}", is_digital, [0.0], [0.0])
+                lane = found[channel] = ChannelLane(group, channel, [0.0], [0.0])
             if time == 0.0:
                 lane.values[0] = float(value)
             else:

@@ -130,9 +130,9 @@ def test_a_window_of_a_run() -> None:
 
 
 def test_the_times_in_which_a_channel_is_on() -> None:
-    lane = ChannelLane("inputs", "in1", True, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], [0.0, 1.0, 2.0, 0.0, 0.0, 1.0])
+    lane = ChannelLane("inputs", 1, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0], [0.0, 1.0, 2.0, 0.0, 0.0, 1.0])
     assert lane.spans(9.0) == [(1.0, 3.0), (5.0, 9.0)]
-    assert ChannelLane("inputs", "in1", True, [0.0, 1.0], [1.0, 0.0]).spans(9.0) == [(0.0, 1.0)]
+    assert ChannelLane("inputs", 1, [0.0, 1.0], [1.0, 0.0]).spans(9.0) == [(0.0, 1.0)]
 
 
 def test_a_lane_for_each_channel_that_changed() -> None:

@@ -62,10 +62,10 @@ examples:
 
 def _wired(result: Result) -> list[ChannelLane]:
     """Return the channels of a run that changed, and the inputs that its program reads and that stayed off."""
-    found = {each.name: each for each in lanes(result.controller)}
+    found = {(each.group, each.number): each for each in lanes(result.controller)}
     program = result.program or result.dialect.program(result.source)
     for _, use in program.structure.inputs():
         if use.channel == "input" and use.number.isdecimal():
-            name = f"in{use.number}"
-            found.setdefault(name, ChannelLane("inputs", name, True, [0.0], [0.0]))
-    return sorted(found.values(), key=lambda lane: (lane.group, len(lane.name), lane.name))
+            key = "inputs", int(use.number)
+            found.setdefault(key, ChannelLane(*key, [0.0], [0.0]))
+    return [found[key] for key in sorted(found)]

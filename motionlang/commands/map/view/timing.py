@@ -23,7 +23,6 @@ STANDING = 1e-6
 # The longest name of a lane in text, and the cells of one that is on or off.
 MAX_NAME = 28
 ON, OFF = "█", "·"
-_PREFIXES = {"in": "input", "out": "output"}
 
 
 def timing(made: ProgramMap) -> Figure | None:
@@ -102,14 +101,12 @@ def _channels(made: ProgramMap, behaviour: MachineBehaviour) -> list[Lane]:
 
 
 def _named(made: ProgramMap, lane: Channel, span: tuple[float, float]) -> Lane | None:
-    prefix = lane.name.rstrip("0123456789")
-    number = lane.name[len(prefix) :]
-    kind = _PREFIXES.get(prefix, prefix)
-    known = next((each for each in made.channels if (each.kind, each.number) == (kind, number)), None)
+    title = f"{lane.group.removesuffix('s')} {lane.number}"
+    known = next((each for each in made.channels if each.title == title), None)
     spans = _within(lane.spans(span[1]), *span)
     if known is None and not spans:
         return None
-    return Lane(known.known_as if known is not None else f"{kind} {number}", spans)
+    return Lane(known.known_as if known is not None else title, spans)
 
 
 def _within(spans: Sequence[tuple[float, float]], begin: float, end: float) -> list[tuple[float, float]]:

@@ -65,8 +65,7 @@ class Logger:
         found = {each.name: each for each in lanes(result.controller)}
         program = result.program or result.dialect.program(result.source)
         for _, use in program.structure.inputs():
-            name = f"in{use.number}"
-            found.setdefault(name, ChannelLane("inputs", name, True, [0.0], [0.0]))
+            found.setdefault(f"in{use.number}", ChannelLane("inputs", int(use.number), [0.0], [0.0]))
         return list(found.values())
 
 
