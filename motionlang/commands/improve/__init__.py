@@ -469,6 +469,8 @@ class Improver:
             if literal.address not in self._numbers:
                 continue
             lowered = self._lowered(literal)
+            if lowered is None:
+                continue
             changes = self._changes[literal.address] = self._process.changes(lowered)
             self._also_sets[literal.address] = self._process.also_sets(lowered, LOWER)
             needed = dict.fromkeys(
@@ -497,10 +499,12 @@ class Improver:
         return at in self._leading or literal.base.lower() in self._words
 
     def _lowered(self, literal: Literal) -> Run | None:
+        """Return the run with a lower number; None if the program is refused with it."""
         try:
-            return self._trial(self.world, {literal.address: literal.value * LOWER})
+            made = self._trial(self.world, {literal.address: literal.value * LOWER})
         except ProgramError:
             return None
+        return made if made.program is not None else None
 
     def _cap(self, literal: Literal, changes: Iterable[MoveChange]) -> tuple[float, str]:
         found = [

@@ -105,10 +105,10 @@ class Process:
             n: extremes(axes[n], run.time).jerk.value == inf for n in {m.axis for m in run.machine.log.moves}
         }
 
-    def changes(self, other: Run | None) -> list[MoveChange]:
+    def changes(self, other: Run) -> list[MoveChange]:
         """Return how the moves follow a number that another run has changed, none if they go elsewhere then."""
         found: list[MoveChange] = []
-        mine, others = (_planned(run) if run is not None else {} for run in (self._run, other))
+        mine, others = _planned(self._run), _planned(other)
         for axis, moves in mine.items():
             for move, now in zip(moves, others.get(axis, ()), strict=False):
                 if (move.line, move.command) != (now.line, now.command):
@@ -119,13 +119,11 @@ class Process:
                 found += _changes(move, now, is_whole, self._jumps[axis])
         return found
 
-    def also_sets(self, other: Run | None, ratio: float) -> str:
+    def also_sets(self, other: Run, ratio: float) -> str:
         """Return what else than motion a number sets, by a run in which it is `ratio` times as large; "" if nothing.
 
         A time that the program waits for gets longer or shorter by the ratio while no axis moves.
         """
-        if other is None:
-            return ""
         for was, now in zip(
             self._run.machine.log.analogue_outputs, other.machine.log.analogue_outputs, strict=False
         ):

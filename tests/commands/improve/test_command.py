@@ -116,6 +116,19 @@ def test_the_best_of_so_many_edits(shuttle: Cell) -> None:
     assert sum(line[:5] in ("SPEED", "ACCEL", "DECEL") for line in lines) == 2
 
 
+def test_a_constant_that_is_the_number_of_an_axis_is_none_of_a_speed(cell: Cell) -> None:
+    """No axis is 0.75, so the program is refused with it, and the trial shows nothing."""
+    home = "HOMESPEED(0) = 20 : HOME(0) = 0 : PAUSE IDLE(0)\nMOVEA(0) = 50"
+    text = SHUTTLE.replace("SPEED(0) = 100", "SPEED(0) = _FAST").replace("MOVEA(0) = 50", home)
+    cell.write("axis.mnt", f"Const _FAST = 100\nConst _axX = 1\n{text.replace('(0)', '(_axX)')}")
+    cell.write(
+        "axis.machine.toml", f"axis.1.home_switch = [-200.0, -20.0]\n{LIMITS.replace('axis.0', 'axis.1')}"
+    )
+    ran = cell("improve", "axis.mnt")
+    assert (ran.status, ran.err) == (0, "")
+    assert "\n-Const _FAST = 100\n+Const _FAST = 200\n Const _axX = 1\n" in ran.out
+
+
 def test_a_scenario_refutes_an_edit(shuttle: Cell) -> None:
     """In the scenario the axis may be at 25 uu not before 0.6 s, so only what comes later is faster."""
     (shuttle.folder / "shuttle.scenarios").mkdir()
