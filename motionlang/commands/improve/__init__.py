@@ -39,6 +39,7 @@ from statistics import median
 from typing import Any
 
 from motionlang.commands.certify import MOTOR, CertifiedLimit, certificate, missing_limits
+from motionlang.commands.improve.acts import CYCLES
 from motionlang.commands.improve.behaviour import SAME, Behaviour
 from motionlang.commands.improve.groups import Groups
 from motionlang.commands.improve.pieces import PieceTimes
@@ -72,8 +73,6 @@ CHOICES = frozenset(("", "integer"))
 RATES = frozenset(("uu/s", "uu/s2", "uu/s3"))
 # A change of the cycle below this share of it is none; one below `WORTH` is not worth an edit.
 NOTHING, WORTH = 1e-9, 2e-3
-# So many cycles of a program are run in a trial, if their period is that of the whole run.
-CYCLES = 3
 # So much less of the cycle is not worth a larger value. What bounds a value that is large enough.
 ENOUGH, SATED = 1e-4, "more gains nothing"
 # What bounds a number that gains only with others.
@@ -211,6 +210,8 @@ class Improver:
         self._changes: dict[str, list[MoveChange]] = {}
         self._also_sets: dict[str, str] = {}
         self._along_with: dict[str, list[Literal]] = {}
+        # The powers of the factor of time by which these are scaled.
+        self._powers: Mapping[str, int] = {}
         self._base = self._run(world)
         found = None if cycle else self._base.cycle
         self.cycle = cycle if found is None else found.name or "cycle"
@@ -295,7 +296,7 @@ class Improver:
         sets = "" if chosen or refused else _what_sets(self._base)
         settings = self.world.settings
         program = self.language.program(self.source, settings, is_debug=True) if chosen else None
-        ways = played_ways(program, values, settings) if program is not None else None
+        ways = played_ways(program, values, settings, self._tasks) if program is not None else None
         return Improvement(
             self.source, patched, self._title, self._where, self.before, after, chosen, result, limits, self.held,
             self.skipped, notes, refused, ways, sets, self._runs,
@@ -545,7 +546,8 @@ class Improver:
         literals = {each.address: each for each in self.literals if self._changes.get(each.address)}
         speeds = [each for each in literals.values() if self._moves[each.address]]
         reasons = {each.address: self._why_held(each, speeds) for each in literals.values()}
-        groups = Groups(self._base, self._changes)
+        groups = Groups(self._base, self._tasks, self._changes)
+        self._powers = groups.powers
         free: dict[str, Literal] = {}
         for literal in candidates:
             address, group = literal.address, groups.of[literal.address]
@@ -563,14 +565,18 @@ class Improver:
                 free[address] = literal
                 others = [literals[each] for each in group if each != address and not reasons[each]]
                 self._along_with[address] = others
+                power = self._powers.get(address, 1)
                 caps = [
-                    (self._rates[each][0] / abs(literals[each].value), self._rates[each][1])
-                    for each in (address, *(other.address for other in others))
-                    if each in self._rates
+                    (
+                        abs(literal.value) * (cap / abs(each.value)) ** (power / self._powers[each.address]),
+                        words,
+                    )
+                    for each in (literal, *others)
+                    for cap, words in (self._rates.get(each.address, (inf, "")),)
+                    if cap < inf
                 ]
                 if address in self._rates:
-                    factor, words = min(caps)
-                    self._rates[address] = factor * abs(literal.value), words
+                    self._rates[address] = min(caps, default=(inf, ""))
         return list(free.values())
 
     def _is_tried(self, literal: Literal) -> bool:
@@ -584,7 +590,8 @@ class Improver:
             factor = values.get(literal.address, literal.value) / (literal.value or 1.0)
             if factor != 1.0:
                 for other in self._along_with.get(literal.address, ()):
-                    found[other.address] = float(f"{other.value * factor:.6g}")
+                    power = self._powers[other.address] / self._powers[literal.address]
+                    found[other.address] = float(f"{other.value * factor**power:.6g}")
         return found
 
     def _others(self, edit: Edit, values: Mapping[str, float]) -> Iterator[Edit]:
@@ -605,8 +612,8 @@ class Improver:
         for axis, quantity in dict.fromkeys(lacking):
             if not self._is_bounded(axis, quantity):
                 return f"limits.{quantity} of axis {axis} is missing"
-        also = self._also_sets[literal.address]
-        return also or self._process.reason(self._moves[literal.address]) or comment
+        reason = self._process.reason(self._moves[literal.address], literal.value)
+        return reason or self._also_sets[literal.address] or comment
 
     # -------------------------------------------------------------------------------------------------- searching
 

@@ -5,8 +5,10 @@ Figures in prints may differ, and so may the rest of a homing or of a stopped mo
 what others set to these, and each task to its own moves:
 
     overlap   an output or the begin of a move that never came while an axis moved must not come while it moves
-    place     an output that comes at the same place of a move in every cycle stays there, unless another task
-              switches it in answer to an input that follows no axis, or as long after such an answer
+    place     the other axes are where they were at the begin and the end of each move, at each output and print. An act
+              of another task is bound if it comes at the same place of a move in every cycle, unless it answers an
+              input that follows no axis, or comes as long after such an answer. An axis that jogs binds only in this
+              way, too
 
 An act that does not come equally often in every cycle, such as that of a thermostat, is bound to no other task.
 """
@@ -14,7 +16,7 @@ An act that does not come equally often in every cycle, such as that of a thermo
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 
 from motionlang.commands.improve.acts import LATE, OrderedAct, Place, acts_of, polls_of
@@ -22,6 +24,8 @@ from motionlang.commands.improve.tasks import Tasks
 from motionlang.kernel import Run
 from motionlang.kernel.log import GRAVE
 
+# An act by its task, line and text.
+ActKey = tuple[str, int, str]
 # Positions are equal within this, user units.
 SAME = 1e-6
 # A statement is late by no more, s.
@@ -31,10 +35,12 @@ EXACT = 1e-4
 class Behaviour:
     """The behaviour of a run, whose cycles begin at `starts`.
 
-    `status` is the one at the end of the program, if the run is only the beginning of it.
+    `status` is the one at the end of the program, if the run is only the beginning of it. Without `starts` no act is
+    known to come at the same place in every cycle.
     """
 
-    def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float], status: str = "") -> None:
+    def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float] | None, status: str = "") -> None:
+        has_cycles, starts = starts is not None, starts or ()
         self._tasks, self._starts, self._status = tasks, starts, run.status
         self._statuses = {run.status, status or run.status}
         # What goes on at the time limit may end before it if it is faster.
@@ -48,8 +54,10 @@ class Behaviour:
         self._answers = sorted(_answer_times(run))
         self._polls = polls_of(run, tasks, self._acts)
         # By task, line and text: the axes that move as it comes, and its places by cycle.
-        self._overlaps: dict[tuple[str, int, str], set[int]] = {}
-        cycles: dict[tuple[str, int, str], list[list[OrderedAct]]] = {}
+        self._overlaps: dict[ActKey, set[tuple[int, bool]]] = {}
+        # How often the same act came before in its cycle.
+        self._numbers: dict[tuple[ActKey, float], int] = {}
+        cycles: dict[ActKey, list[list[OrderedAct]]] = {}
         whole = max(len(starts) - 1, 1)
         for task, acts in self._acts.items():
             for act in acts:
@@ -57,8 +65,11 @@ class Behaviour:
                 self._overlaps.setdefault(key, set()).update(act.moving)
                 at = bisect_right(starts, act.time) - 1 if len(starts) > 1 else 0
                 if 0 <= at < whole:
-                    cycles.setdefault(key, [[] for _ in range(whole)])[at].append(act)
-        self._steady = {key: each for key, each in cycles.items() if len(set(map(len, each))) == 1}
+                    some = cycles.setdefault(key, [[] for _ in range(whole)])[at]
+                    self._numbers[key, act.time] = len(some)
+                    some.append(act)
+        is_steady = {key: has_cycles and len(set(map(len, each))) == 1 for key, each in cycles.items()}
+        self._steady = {key: each for key, each in cycles.items() if is_steady[key]}
 
     def difference(self, run: Run, starts: Sequence[float]) -> str:
         """Return what another run does differently; "" if nothing that matters."""
@@ -73,56 +84,84 @@ class Behaviour:
             common = min(len(starts), len(self._starts))
             own_until, until = ((each[common - 1] if common else inf) for each in (self._starts, starts))
         others = acts_of(run, self._tasks)
-        for task, acts in self._acts.items():
-            answered: tuple[OrderedAct, OrderedAct] | None = None
-            for was, is_ in zip(acts, others.get(task, []), strict=False):
-                if was.time >= own_until or is_.time >= until:
-                    break
-                is_answer = self._is_answer(was, is_, answered)
-                answered = (was, is_) if is_answer else None
-                reason = self._changed(task, was, is_, is_answer)
-                if reason:
-                    return reason
+        for key, was, is_, is_answer in self._pairs(others, own_until, until):
+            reason = self._changed(key, was, is_) or self._elsewhere(key, was, is_, is_answer)
+            if reason:
+                return reason
         is_whole = run.status == self._status == "ended" and until == inf
         if is_whole and len(self._acts.get("program", [])) != len(others.get("program", [])):
             return "the number of outputs, prints and moves of the program"
         return "the final positions" if is_whole and not self._is_at_rest(run) else ""
 
-    def _changed(self, task: str, was: OrderedAct, is_: OrderedAct, is_answer: bool) -> str:
+    def elsewhere(self, run: Run) -> str:
+        """Return which axis is elsewhere at an act that answers no input, in another run; "" if none."""
+        diverged = set()
+        for key, was, is_, is_answer in self._pairs(acts_of(run, self._tasks)):
+            if self._changed(key, was, is_):
+                diverged.add(key[0])
+            reason = "" if is_answer or key[0] in diverged else self._elsewhere(key, was, is_, is_answer)
+            if reason:
+                return reason
+        return ""
+
+    def _pairs(
+        self, others: Mapping[str, Sequence[OrderedAct]], own_until: float = inf, until: float = inf
+    ) -> Iterator[tuple[ActKey, OrderedAct, OrderedAct, bool]]:
+        """Yield each act with the one in its place, and true if it answers an input."""
+        for task, acts in self._acts.items():
+            answered: tuple[OrderedAct, OrderedAct] | None = None
+            for was, is_ in zip(acts, others.get(task, ()), strict=False):
+                if was.time >= own_until or is_.time >= until:
+                    break
+                is_answer = self._is_answer(was, is_, answered)
+                answered = (was, is_) if is_answer else None
+                yield (task, was.line, was.text), was, is_, is_answer
+
+    def _changed(self, key: ActKey, was: OrderedAct, is_: OrderedAct) -> str:
         """Return how an act differs from the one in its place; "" if it does not."""
         if (was.line, was.text) != (is_.line, is_.text):
-            where = "" if task == "program" else f" of {task}"
+            where = "" if key[0] == "program" else f" of {key[0]}"
             return f"the order of outputs and prints{where}: {is_.text} in place of {was.text}"
         if was.end is not None and is_.end is not None and abs(was.end - is_.end) > SAME:
             return f"the move of line {was.line} no longer ends at {round(was.end, 6) + 0.0:.6g}"
-        key = task, was.line, was.text
-        for axis, place in is_.moving.items():
+        return ""
+
+    def _elsewhere(self, key: ActKey, was: OrderedAct, is_: OrderedAct, is_answer: bool) -> str:
+        """Return which axis is elsewhere at an act, or at the end of a move; "" if none."""
+        task, line, text = key
+        what = f"line {line}: {text}", f"line {line}: the end of {text}"
+        # A run may end before a move.
+        are_over = was.end is not None and is_.end is not None
+        mine, others = (
+            {at: place for at, place in act.moving.items() if are_over or not at[1]} for act in (was, is_)
+        )
+        for at, place in others.items():
             mover = self._tasks.at(place.line)
             is_bound = key in self._steady and (
                 self._tasks.reads(task, mover) or self._tasks.reads(mover, task)
             )
-            if axis not in self._overlaps[key] and (task == mover or is_bound):
-                return f"line {was.line}: {was.text} while axis {axis} moves"
-        for axis, place in was.moving.items():
+            never = at not in self._overlaps[key] and (task == mover or is_bound)
+            is_new = at not in mine and task == mover and place.left < inf
+            if (never or is_new) and not self._is_same(key, None, place, EXACT):
+                return f"{what[at[1]]} while axis {at[0]} moves"
+        for at, place in mine.items():
             mover = self._tasks.at(place.line)
             is_bound = task == mover or (self._tasks.reads(task, mover) and not is_answer)
-            places = self._places(key, was, axis) if is_bound else []
-            other = is_.moving.get(axis)
-            is_there = other is not None and other.line == place.line
-            if places and not (is_there and any(self._is_same(key, other, each, EXACT) for each in places)):
+            places = self._places(key, was, at) if is_bound else []
+            if not places and task == mover and place.left < inf:
+                places = [place]
+            other = others.get(at)
+            if places and not any(self._is_same(key, other, each, EXACT) for each in places):
                 where = f"{round(place.distance, 6) + 0.0:.6g} uu of the move of line {place.line}"
-                return f"line {was.line}: {was.text} no longer at {where}"
+                return f"{what[at[1]]} no longer at {where}"
         return ""
 
-    def _places(self, key: tuple[str, int, str], act: OrderedAct, axis: int) -> list[Place]:
-        """Return where an output comes in the move of an axis in each cycle, none if that is not the same place."""
+    def _places(self, key: ActKey, act: OrderedAct, at: tuple[int, bool]) -> list[Place]:
+        """Return how far an axis is at an act in each cycle, none if that is not the same place."""
         cycles = self._steady.get(key, [])
-        number = next((each.index(act) for each in cycles if act in each), None)
-        if number is None or not act.text.startswith("output"):
-            return []
-        places = [place for each in cycles if (place := each[number].moving.get(axis)) is not None]
-        line = act.moving[axis].line
-        is_same = all(each.line == line and self._is_same(key, each, places[0], LATE) for each in places)
+        number = self._numbers.get((key, act.time), 0)
+        places = [place for each in cycles if (place := each[number].moving.get(at)) is not None]
+        is_same = all(self._is_same(key, each, places[0], LATE) for each in places)
         return places if is_same and len(places) == len(cycles) else []
 
     def _is_answer(
@@ -137,11 +176,13 @@ class Behaviour:
         before, after = answered
         return abs((was.time - before.time) - (is_.time - after.time)) < LATE
 
-    def _is_same(self, key: tuple[str, int, str], one: Place | None, other: Place, late: float) -> bool:
-        """True if places are as near as the time between two looks allows."""
-        assert one is not None
+    def _is_same(self, key: ActKey, one: Place | None, other: Place, late: float) -> bool:
+        """True if places are as near as the time between two looks allows; None is the begin or the end of a move."""
         late += self._polls.get(key[:2], 0.0)
-        return abs(one.distance - other.distance) <= SAME + late * max(one.speed, other.speed)
+        if one is None:
+            return min(abs(other.distance), other.left) <= SAME + late * other.speed
+        is_near = abs(one.distance - other.distance) <= SAME + late * max(one.speed, other.speed)
+        return is_near and one.line == other.line
 
     def _is_at_rest(self, run: Run) -> bool:
         return all(abs(end - self._ends.get(axis, end)) <= SAME for axis, end in _ends(run).items())

@@ -11,12 +11,12 @@ import re
 from bisect import bisect_right
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from itertools import accumulate, chain
+from itertools import accumulate, chain, pairwise
 from math import fsum, hypot, inf
 from typing import NamedTuple
 
 from motionlang.commands.certify.extremes import extremes
-from motionlang.commands.improve.acts import LATE
+from motionlang.commands.improve.acts import CYCLES, LATE
 from motionlang.commands.improve.tasks import Tasks
 from motionlang.commands.map.program_map import channels_of
 from motionlang.kernel import Run
@@ -53,7 +53,7 @@ SAME_PLACE = 1e-6
 
 
 class MoveChange(NamedTuple):
-    """A move of which a quantity follows a number: its values in user units in both runs, 0 for a jerk.
+    """A move of which a quantity follows a number: its values in user units in both runs, 0 and its sign for a jerk.
 
     `rate` is 1 for a deceleration.
     """
@@ -63,6 +63,11 @@ class MoveChange(NamedTuple):
     value: float
     other: float
     rate: int = 0
+
+    @property
+    def power(self) -> int:
+        """The power of k by which its number is scaled if the move takes 1/k of the time; -1 for the time of a ramp."""
+        return QUANTITIES.index(self.quantity) + 1 if self.other < self.value else -1
 
     def is_proportional(self, ratio: float) -> bool:
         """True if the other value is a share of the value, rounded to counts as a controller does."""
@@ -85,7 +90,7 @@ class Process:
     """The process of a run, whose cycles begin at `starts`."""
 
     def __init__(self, run: Run, tasks: Tasks, starts: Sequence[float]) -> None:
-        self._run, self._tasks = run, tasks
+        self._run, self._tasks, self._starts = run, tasks, starts
         self._homes = run.dialect.table().homes
         self._outputs = sorted(
             _switched(run, tasks, starts), key=lambda each: fsum(end - begin for begin, end in each.spans)
@@ -99,6 +104,7 @@ class Process:
         for move in run.machine.log.moves:
             if move.profile is not None and not self._homes(move.command) and not move.ended:
                 self._highest[move.axis] = max(self._highest.get(move.axis, 0.0), self._speed(move))
+        self._shots = [(on, k) for on in self._outputs for k in self._shots_of(on)]
         self._own, self._alone = _comments(run)
         axes = run.controller.axes
         self._jumps = {
@@ -122,7 +128,8 @@ class Process:
     def also_sets(self, other: Run, ratio: float) -> str:
         """Return what else than motion a number sets, by a run in which it is `ratio` times as large; "" if nothing.
 
-        A time that the program waits for gets longer or shorter by the ratio while no axis moves.
+        A time that the program waits for gets longer or shorter by the ratio while no axis moves. An output that is on
+        while an axis moves, and off when that stops, is on for the time of a move.
         """
         for was, now in zip(
             self._run.machine.log.analogue_outputs, other.machine.log.analogue_outputs, strict=False
@@ -146,13 +153,44 @@ class Process:
                 if what in ("output", "pulse"):
                     return f"output {at} is on for {seconds} by it"
                 return f"line {self._line(at)} waits {seconds} by it"
+        switched = {(on.name, on.task): on.spans for on in _switched(other, self._tasks, self._starts)}
+        for on, k in self._shots:
+            begin, end = on.spans[k]
+            since, until = dict(enumerate(switched.get((on.name, on.task), ()))).get(k, (begin, end))
+            if until < other.time and abs(until - since - (end - begin)) > 2.0 * LATE:
+                return f"{on.name} is on for {end - begin:.4g} s by it"
         return ""
+
+    def _shots_of(self, on: _On) -> Iterator[int]:
+        """Yield the numbers of the times that an output is on while an axis moves, and off when that stops.
+
+        The same goes for axes that start together. An output that is on during all moves of an axis follows it.
+        """
+        first, last = (self._starts[0], self._starts[: CYCLES + 1][-1]) if self._starts else (-inf, inf)
+        work = [
+            move
+            for move in chain.from_iterable(_planned(self._run).values())
+            if not self._homes(move.command) and _end(move) < inf and first <= move.start_time < last
+        ]
+        work.sort(key=lambda move: move.start_time)
+        without = {move.axis for move in work if not any(_is_during(move, *span) for span in on.spans)}
+        for k, (begin, end) in enumerate(on.spans):
+            during = [
+                m for m in work if _is_during(m, begin, end) and self._is_bound(on, self._tasks.at(m.line))
+            ]
+            axes = {move.axis for move in during}
+            begins = {tuple(move.start_time for move in during if move.axis == axis) for axis in axes}
+            is_one = all(after.start_time < _end(before) + LATE for before, after in pairwise(during))
+            if first <= begin and end <= last and len(begins) == 1 and is_one and axes & without:
+                stop = _end(during[-1])
+                if end - stop < stop - max(begin, during[0].start_time) and stop < end + SHORT:
+                    yield k
 
     def _line(self, at: int) -> int:
         return self._run.dialect.locate(self._run.source, at)[0]
 
-    def reason(self, moves: Sequence[LoggedMove]) -> str:
-        """Return why the speed of some moves is that of a process; "" if it need not be."""
+    def reason(self, moves: Sequence[LoggedMove], value: float) -> str:
+        """Return why the speed of some moves, set by a value, is that of a process; "" if it need not be."""
         if any(self._homes(move.command) for move in moves):
             return "the speed of a homing"
         lines = {move.line: 0 for move in moves}
@@ -163,8 +201,10 @@ class Process:
             return f"the program stops the {stopped.command} of line {stopped.line}"
         for move in moves:
             highest, on = self._highest.get(move.axis, 0.0), self.outputs([move])
-            if on and self._speed(move) < highest * (1.0 - SAME_SHARE):
-                return f"lower than {highest:.6g} while {on[0]} is on"
+            speed = f"{self._speed(move):.6g}"
+            if on and float(speed) < highest * (1.0 - SAME_SHARE):
+                own = "" if speed == f"{abs(value):.6g}" else f"{speed} uu/s in line {move.line} is "
+                return f"{own}lower than {highest:.6g} while {on[0]} is on"
         return ""
 
     def outputs(self, moves: Iterable[LoggedMove]) -> list[str]:
@@ -172,21 +212,19 @@ class Process:
 
         They are switched by the task of the move, or by one that reads what that one sets.
         """
-        spans = [
-            (self._tasks.at(move.line), move.start_time, move.start_time + move.profile.duration)
-            for move in moves
-            if move.profile is not None and not self._homes(move.command)
-        ]
+        work = [move for move in moves if move.profile is not None and not self._homes(move.command)]
         return [
             output.name
             for output in self._outputs
             if any(
-                (output.task == task or (output.is_steady and self._tasks.reads(output.task, task)))
-                and min(end, off) - max(begin, on) > SHORT
-                for task, begin, end in spans
-                for on, off in output.spans
+                self._is_bound(output, self._tasks.at(move.line)) and _is_during(move, *span)
+                for move in work
+                for span in output.spans
             )
         ]
+
+    def _is_bound(self, output: _On, task: str) -> bool:
+        return output.task == task or (output.is_steady and self._tasks.reads(output.task, task))
 
     def _speed(self, move: LoggedMove) -> float:
         if move.commanded_speed is not None:
@@ -261,6 +299,14 @@ def _profile(move: LoggedMove) -> Profile:
     return move.profile
 
 
+def _is_during(move: LoggedMove, begin: float, end: float) -> bool:
+    return min(_end(move), end) - max(move.start_time, begin) > SHORT
+
+
+def _end(move: LoggedMove) -> float:
+    return move.start_time + _profile(move).duration
+
+
 def _goes_elsewhere(move: LoggedMove, other: LoggedMove) -> bool:
     """True if a move has another end, and another distance to it."""
     ends = (
@@ -290,7 +336,8 @@ def _changes(move: LoggedMove, other: LoggedMove, is_whole: bool, jumps: bool) -
     if not differ and is_same_way and abs(was.duration - now.duration) > SAME_SHARE * was.duration:
         first, other_first = was.phases[0].duration, now.phases[0].duration
         rate = int(abs(first - other_first) <= SAME_SHARE * first)
-        yield MoveChange(move, ACCELERATION if jumps else JERK, 0.0, 0.0, rate)
+        sign = was.duration - now.duration
+        yield MoveChange(move, ACCELERATION if jumps else JERK, 0.0, sign, rate)
 
 
 def _rates(move: LoggedMove) -> tuple[float, ...]:

@@ -2,8 +2,9 @@
 
 A trial shows one way in each world. So the program is explored, and each of its ways is played with the edits, too.
 What the edits are for does not count: speeds, times, figures in prints, and where a motion is cut off. If the program
-ends otherwise in a way, or prints another line, the edits are refused; if it only does something else, such as behind a
-fixed second that comes earlier in a move than before, the way is named.
+ends otherwise in a way, or prints another line, or if another axis is elsewhere as it does something, the edits are
+refused; if it only does something else, such as behind a fixed second that comes earlier in a move than before, the way
+is named.
 
 Cost. At most `EXPLORED` for the exploration, and `PLAYED` for the ways. What is not played is named.
 """
@@ -14,14 +15,24 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from motionlang.commands.diff.acts import ComparedAct, PlayedWay
-from motionlang.commands.diff.ways import FoundDifference, Player, compared_ways
+from motionlang.commands.diff.ways import FoundDifference, Player, Way, compared_ways
 from motionlang.commands.diff.ways_view import found_words, input_names, not_compared, way_words
-from motionlang.exploration import HORIZON, SECOND, Timeline, explore, without_figures, without_world
+from motionlang.commands.improve.behaviour import Behaviour
+from motionlang.commands.improve.tasks import Tasks
+from motionlang.exploration import (
+    HORIZON,
+    SECOND,
+    Exploration,
+    Timeline,
+    explore,
+    without_figures,
+    without_world,
+)
 from motionlang.kernel import Program
 from motionlang.kernel.tools import count_of
 
-# The work of the exploration of the program, in seconds of an ordinary core, and that of both programs in the ways.
-EXPLORED, PLAYED = 2.0, 2.0 * SECOND
+# The exploration of the program, and both programs in the ways, may take so many seconds of an ordinary core.
+EXPLORED, PLAYED = 2.0, 2.0
 
 
 class PlayedWays(NamedTuple):
@@ -33,37 +44,73 @@ class PlayedWays(NamedTuple):
 
 
 class _WithoutTimes(Player):
-    """A program whose speeds, figures in prints, and places where a motion is cut off do not count."""
+    """A program whose speeds, figures in prints, and places where a motion is cut off do not count.
+
+    `elsewhere` is why an axis is elsewhere than in the `other` program in the ways of that one, "" if it is not.
+    """
+
+    def __init__(self, exploration: Exploration, tasks: Tasks, other: _WithoutTimes | None = None) -> None:
+        super().__init__(exploration)
+        self._tasks, self._other = tasks, other
+        self._played: tuple[Timeline, Behaviour] | None = None
+        self.elsewhere: dict[Timeline, str] = {}
 
     def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedWay:
-        played = super().play(timeline, since, patience)
-        acts = {task: [*map(_without_times, some)] for task, some in played.acts.items()}
-        return played._replace(acts=acts)
+        played = _without_times(super().play(timeline, since, patience))
+        if self._other is None:
+            self._played = timeline, Behaviour(self.exploration.last, self._tasks, None)
+        elif self._other._played is not None:
+            way, behaviour = self._other._played
+            # The beginning of a way is played to find out when its next change comes.
+            if len(way) == len(timeline):
+                self.elsewhere[way] = behaviour.elsewhere(self.exploration.last)
+        return played
+
+    def play_in(self, world: Mapping[str, object]) -> PlayedWay:
+        return _without_times(super().play_in(world))
 
 
-def _without_times(act: ComparedAct) -> ComparedAct:
+def _without_times(played: PlayedWay) -> PlayedWay:
+    return played._replace(acts={task: [*map(_timeless, some)] for task, some in played.acts.items()})
+
+
+def _timeless(act: ComparedAct) -> ComparedAct:
     if act.exact:
         return act._replace(speed=0.0, target=None if act.is_cut else act.target)
-    return act if act.subject else act._replace(words=without_figures(act.words))
+    return act if act.subject else act._replace(words=" ".join(without_figures(act.words).split()))
 
 
 def played_ways(
-    program: Program, values: Mapping[str, float | str], settings: Mapping[str, object]
+    program: Program, values: Mapping[str, float | str], settings: Mapping[str, object], tasks: Tasks
 ) -> PlayedWays:
-    """Play a program, a debug build, with other values in the ways that an exploration finds; return what differs."""
+    """Play a program, a debug build, with other values in the ways that an exploration finds; return what differs.
+
+    `tasks` are those of the program.
+    """
     own = without_world(settings)
     a = explore(program, own, seconds=EXPLORED)
     b = explore(program.with_values(values), {**a.switches.settings, **own}, seconds=0.0)
-    found = compared_ways(_WithoutTimes(a), _WithoutTimes(b), PLAYED)
+    first = _WithoutTimes(a, tasks)
+    second = _WithoutTimes(b, tasks, first)
+    found = compared_ways(first, second, PLAYED * SECOND)
     names = input_names(a)
     texts: dict[bool, list[str]] = {True: [], False: []}
-    differences = [each for each in (*found.differences, *found.behind) if not _is_beyond(each)]
-    for each in differences:
-        texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {found_words(each)}")
-    differ = f", {found.differ} differ" if differences else ": the same but for time"
-    left = not_compared(found, explored="A")
-    summary = f"{count_of(found.played, 'way')} played with the edits, too{differ}"
-    return PlayedWays(f"{summary}; not compared: {left}" if left else summary, texts[True], texts[False])
+    for each in (*found.differences, *found.behind):
+        if not _is_beyond(each):
+            texts[_is_grave(each)].append(f"{way_words(each.way, names)}: {found_words(each)}")
+    reasons: dict[str, Timeline] = {}
+    for timeline, reason in sorted(second.elsewhere.items(), key=lambda each: len(each[0])):
+        reasons.setdefault(reason, timeline)
+    texts[True] += [
+        f"{way_words(Way(way, 'A'), names)}: {reason}" for reason, way in reasons.items() if reason
+    ]
+    verdict = "some differ" if any(texts.values()) else "the same but for time"
+    ways = f"{count_of(found.played, 'way')} played with the edits, too: {verdict}"
+    summary = ways if found.played else "no way was played with the edits"
+    left = [not_compared(found, explored=""), "" if a.is_whole else "what the exploration had not found"]
+    if any(left):
+        summary = f"{summary}; not compared: {', '.join(filter(None, left))}"
+    return PlayedWays(summary, texts[True], texts[False])
 
 
 def _is_beyond(found: FoundDifference) -> bool:

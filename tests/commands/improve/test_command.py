@@ -234,8 +234,8 @@ LAMP = """\
 SPEED(0) = 100 : ACCEL(0) = 500 : DECEL(0) = 500
 Run blink
 For k = 1 To 3
-  MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)
   OUTX(1) = 1
+  MOVEA(0) = 50 : GO(0) : PAUSE IDLE(0)
   MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
   OUTX(1) = 0
 Next

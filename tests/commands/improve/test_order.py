@@ -144,6 +144,65 @@ def test_a_press_never_closes_on_an_arm_that_moves(name: str, text: str) -> None
     assert any(" while axis " in each for each in [*found.refused, *(e.bound for e in found.edits)])
 
 
+# Axis 1 leaves as axis 0 has passed 150; axis 0 is at 190 of 200 as axis 1 arrives.
+MEETING = """\
+Dim n As Integer
+{0}
+{1}
+For n = 1 To 4
+  MOVEA(0) = 200 : GO(0)
+  PAUSE POS(0) > 150
+  MOVEA(1) = 60 : GO(1)
+  PAUSE IDLE(0) And IDLE(1)
+  MOVEA(0) = 0 : GO(0)
+  MOVEA(1) = 0 : GO(1)
+  PAUSE IDLE(0) And IDLE(1)
+Next n
+"""
+RATES = (
+    "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000",
+    "SPEED(1) = 200 : ACCEL(1) = 2000 : DECEL(1) = 2000",
+)
+TIMES = (
+    "PROFILEMODE(0) = 1 : SPEED(0) = 100 : ACCELTIME(0) = 200 : DECELTIME(0) = 200 : ACCELJERKTIME(0) = 50"
+    " : DECELJERKTIME(0) = 50",
+    "PROFILEMODE(1) = 1 : SPEED(1) = 200 : ACCELTIME(1) = 100 : DECELTIME(1) = 100 : ACCELJERKTIME(1) = 30"
+    " : DECELJERKTIME(1) = 30",
+)
+
+
+def arrival(result: Run) -> float:
+    """Return where axis 0 is as axis 1 first arrives."""
+    first, other = (next(move for move in result.moves if move.axis == axis) for axis in (0, 1))
+    move = next(each for each in result.machine.log.moves if each.axis == 0)
+    assert move.profile is not None
+    return move.profile.position(other.start_time + other.duration - first.start_time)
+
+
+@cases("speeds, factor, scaled", [
+    # 2000 k² is at most 4000.
+    (RATES, 1.41, {"SPEED[1]@3": 282.0, "ACCEL[0]@2": 1988.1, "DECEL[1]@3": 3976.2}),
+    (TIMES, 1.41, {"SPEED[1]@3": 282.0, "ACCELTIME[0]@2": 141.844, "ACCELJERKTIME[1]@3": 21.2766}),
+])  # fmt: skip
+def test_two_axes_meet_where_they_met(
+    speeds: tuple[str, str], factor: float, scaled: dict[str, float]
+) -> None:
+    text = MEETING.format(*speeds)
+    found = improved(
+        "meet.mnt", text, **{"axis.0.limits.jerk": 1e6, "axis.1.limits.jerk": 1e6} if "JERK" in text else {}
+    )
+    assert edits(found)["SPEED[0]@2"] == 100 * factor
+    assert edits(found).items() >= scaled.items()
+    was = run(Source("meet.mnt", text), machine=LIMITS)
+    assert arrival(found.result) == pytest.approx(arrival(was), abs=0.01)
+
+
+def test_axes_whose_rates_are_no_numbers_stay_with_their_places() -> None:
+    """With a lower rate of its own, that no number sets, axis 1 would be later on its way than axis 0."""
+    text = MEETING.format(*RATES).replace("ACCEL(1) = 2000", "ACCEL(1) = 1000 + n * 0 + SPEED(0) * 10")
+    assert edits(improved("meet.mnt", text)) == {}
+
+
 @cases("lamp", [
     "TIMEREVENT = 400\n{}Event TIMER\n  lamp = 1 - lamp : OUTX(5) = lamp\nEnd Event\n",
     "Run tkLamp\n{}Task tkLamp\n  Loop\n    OUTX(5) = 1 : Wait(330)\n    OUTX(5) = 0 : Wait(330)\n"

@@ -50,11 +50,14 @@ End Loop
 def test_the_name_of_the_output_is_that_of_the_program_or_of_a_comment() -> None:
     text = "{}{}OUTX(2) = 1\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}OUTX(2) = 0\n"
     text += "SPEED(0) = 90\nMOVEA(0) = 0 : GO(0) : Pause IDLE(0)\n"
-    assert held(text.format("' OUT 1 lamp  2 glue gun\n", RATES, "")) == {
-        "SPEED[0]@4": "lower than 90 while glue gun (output 2) is on"
+    found = held(text.format("' OUT 1 lamp  2 glue gun\n", RATES, ""))
+    assert found == {
+        "SPEED[0]@4": "lower than 90 while glue gun (output 2) is on",
+        "ACCEL[0]@2": "glue gun (output 2) is on for 1.863 s by it",
+        "DECEL[0]@2": "glue gun (output 2) is on for 1.863 s by it",
     }
     named = text.replace("OUTX(2)", "opGlue").format("Define opGlue = OUTX(2)\n", RATES, "")
-    assert held(named) == {"SPEED[0]@4": "lower than 90 while opGlue (output 2) is on"}
+    assert held(named)["SPEED[0]@4"] == "lower than 90 while opGlue (output 2) is on"
 
 
 def test_the_coolant_of_a_plate_is_on_for_all_of_its_holes() -> None:
@@ -119,7 +122,9 @@ Task tkTorch
   End Loop
 End Task
 """
-    assert held(text) == {"SPEED[0]@5": "lower than 250 while output 4 is on"}
+    rate = "output 4 is on for 2.715 s by it"
+    speed = "lower than 250 while output 4 is on"
+    assert held(text) == {"SPEED[0]@5": speed, "ACCEL[0]@2": rate, "DECEL[0]@2": rate}
 
 
 @pytest.mark.slow
@@ -183,8 +188,7 @@ def test_a_comment_two_lines_above_counts_and_its_word_only_for_the_next_speed()
     ("TIME = 0 : Pause TIME > 12000 / v\n", "line 5 waits 0.101 s by it"),
     ("PULSEOUTX(1) = v\n", "output 1 is on for 0.12 s by it"),
     ("DAC(1) = v / 4\n", "line 5 sets analogue output 1 by it"),
-    # Outputs that are on as long as the motion takes, at a constant speed too, follow the motion alone.
-    ("OUTX(2) = 1 : MOVER(0) = 5 : GO(0) : Pause IDLE(0) : OUTX(2) = 0\n", ""),
+    # Between two places an output follows the motion alone.
     ("MOVER(0) = 90 : GO(0) : Pause POS(0) > 30 : OUTX(2) = 1 : Pause POS(0) > 60 : OUTX(2) = 0 : Pause IDLE(0)\n", ""),
     ("MOVER(0) = 5 : GO(0) : Wait(200) : Pause IDLE(0)\n", ""),
 ])  # fmt: skip
@@ -192,6 +196,72 @@ def test_a_constant_that_sets_something_else_stays(uses: str, reason: str) -> No
     text = f"Const v = 120\n{RATES}SPEED(0) = v\nLoop\n{uses}MOVEA(0) = 0 : GO(0) : Pause IDLE(0)\n"
     found = held(f"{text}MOVEA(0) = 60 : GO(0) : Pause IDLE(0)\nEnd Loop\n", given={"run.until": 6.0})
     assert found == ({"v": reason} if reason else {})
+
+
+# A stroke of 40 at 50 takes 40/50 + 50/500 = 0.9 s; the axis moves back with nothing on.
+SHOT = """\
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+SPEED(1) = 50 : ACCEL(1) = 500 : DECEL(1) = 500
+Loop
+  MOVEA(0) = 200 : GO(0) : Pause IDLE(0)
+  {on}
+  MOVER(1) = 40 : GO(1) : Pause IDLE(1)
+  {off}
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  {back}
+End Loop
+"""
+BACK = "MOVER(1) = -40 : GO(1) : Pause IDLE(1)"
+
+
+@pytest.mark.slow
+@cases("on, off, back, reason", [
+    ("OUTX(1) = 1", "OUTX(1) = 0", BACK, "output 1 is on for 0.9 s by it"),
+    ("DAC(1) = 40", "DAC(1) = 0", BACK, "analogue output 1 is on for 0.9 s by it"),
+    # The valve opens before the pump, and closes after it.
+    ("OUTX(1) = 1 : Wait(300)", "Wait(100) : OUTX(1) = 0", BACK, "output 1 is on for 1.3 s by it"),
+    # It is on during all moves of its axis.
+    ("OUTX(1) = 1", "OUTX(1) = 0", "", ""),
+    # A gripper carries a part, and the part is somewhere else then.
+    ("OUTX(1) = 1", "MOVEA(0) = 100 : GO(0) : Pause IDLE(0) : OUTX(1) = 0", BACK, ""),
+])  # fmt: skip
+def test_an_output_that_is_on_while_an_axis_moves_is_on_as_long(
+    on: str, off: str, back: str, reason: str
+) -> None:
+    found = held(SHOT.format(on=on, off=off, back=back))
+    numbers = ("SPEED[1]@2", "ACCEL[1]@2", "DECEL[1]@2")
+    assert found == (dict.fromkeys(numbers, reason) if reason else {})
+
+
+def test_the_shot_of_a_pump_stays_as_long(cell: Cell) -> None:
+    """The cycle is shorter by the way of axis 0 alone; the pump doses for 40/80 + 80/500 = 0.66 s."""
+    text = SHOT.format(on="OUTX(2) = 1", off="OUTX(2) = 0", back=BACK)
+    cell.write("pump.mnt", text.replace("SPEED(1) = 50", "SPEED(1) = 80"))
+    limits = "[axis.{}.limits]\nspeed = 250\nacceleration = 2500\n"
+    cell.write("pump.machine.toml", f"run.until = 20\n{limits.format(0)}{limits.format(1)}")
+    out = cell("improve", "pump.mnt").out
+    assert "  SPEED[1]@2 = 80   output 2 is on for 0.66 s by it\n" in out
+    assert "\n-SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n+SPEED(0) = 250 : ACCEL(0) = 2500 :" in out
+    assert "\n-SPEED(1)" not in out
+
+
+@pytest.mark.slow
+def test_a_rate_is_no_speed_that_is_lower() -> None:
+    """The short way of 2 with 1000 uu/s² reaches √2000 = 44.7 uu/s of 100, which is what is lower, and not 1000."""
+    text = """\
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000 : ACCEL(1) = 1000 : DECEL(1) = 1000
+Loop
+  VECTORA(0, 1) = 100, 100 : GO(0) : Pause IDLE(0)
+  Wait(1000)
+  OUTX(1) = 1
+  VECTORR(0, 1) = 2, 0 : GO(0) : Pause IDLE(0)
+  Wait(1000)
+  OUTX(1) = 0
+  VECTORA(0, 1) = 0, 0 : GO(0) : Pause IDLE(0)
+End Loop
+"""
+    reason = "44.7214 uu/s in line 6 is lower than 100 while output 1 is on"
+    assert held(text) == {"ACCEL[0]@1": reason, "DECEL[0]@1": reason}
 
 
 PAIR = "{}Loop\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}Pause IDLE(0) And IDLE(1)\nEnd Loop\n"
@@ -218,11 +288,18 @@ PAIR = "{}Loop\nSPEED(0) = 50\nMOVEA(0) = 90 : GO(0) : Pause IDLE(0)\n{}Pause ID
      {"SPEED[0]@5": "the comment of line 5 says weld"}),
 ])  # fmt: skip
 def test_axes_that_move_together_are_held_together(moves: str, reasons: dict[str, str]) -> None:
-    assert held(PAIR.format(RATES, moves)) == reasons
+    found = held(PAIR.format(RATES, moves))
+    speeds = {name: reason for name, reason in found.items() if name.startswith("SPEED")}
+    assert speeds == reasons
+    # Their rates stay with them.
+    rates = {reason for name, reason in found.items() if name not in speeds}
+    assert rates <= {reason for reason in reasons.values() if reason.startswith("its axis moves")} | {
+        f"its axis moves with that of {name}, which stays" for name in reasons
+    }
 
 
-def test_axes_that_move_together_are_scaled_by_one_factor() -> None:
-    """The limit of axis 1 is 5 thirds of its speed, the one of axis 0 twice; together they are one edit."""
+def test_axes_that_move_together_are_scaled_by_one_factor_of_time() -> None:
+    """In 1/k of the time speeds are k times as large and rates k²: 240 k is at most 400, so k² is at most 2.78."""
     text = f"{RATES}Loop\nSPEED(0) = 200 : SPEED(1) = 240\nMOVER(0) = 200 : MOVER(1) = 240 : GO(0, 1)\nPause IDLE(1)\n"
     improver = Improver(
         Source("a.mnt", text + "End Loop\n"),
@@ -230,10 +307,11 @@ def test_axes_that_move_together_are_scaled_by_one_factor() -> None:
         ExpectedWorld("", {"run.until": 30.0, **LIMITS}),
     )
     found = improver.improved(most=1)
-    assert {each.literal.address: each.value for each in found.edits} == {
-        "SPEED[0]@3": 333.0,
-        "SPEED[1]@3": 399.6,
-    }
+    values = {each.literal.address: each.value for each in found.edits}
+    k = values["SPEED[0]@3"] / 200
+    assert 1.66 < k <= 400 / 240
+    assert values["SPEED[1]@3"] == pytest.approx(240 * k, rel=1e-5)
+    assert [values[name] for name in values if "CEL" in name] == pytest.approx([800 * k * k] * 4, rel=1e-5)
 
 
 DRILL = """\
@@ -273,7 +351,8 @@ def test_a_terminal_of_80_columns_shows_the_output_before_the_old_value() -> Non
     text = (
         "Const _axCarriage As Integer = 0\nDefine opClampOfTheTray = OUTX(3)\n"
         "SPEED(_axCarriage) = 50 : ACCEL(_axCarriage) = 500 : DECEL(_axCarriage) = 500\nopClampOfTheTray = 1\n"
-        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nopClampOfTheTray = 0\nMOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n"
+        "MOVER(0) = 100 : GO(0) : PAUSE IDLE(0)\nWAIT(3000)\nopClampOfTheTray = 0\n"
+        "MOVER(0) = -100 : GO(0) : PAUSE IDLE(0)\n"
     )
     world = ExpectedWorld("", {"axis.0.limits.speed": 200.0, "axis.0.limits.acceleration": 1000.0})
     found = Improver(Source("clamp.mnt", text), dialect("mint"), world).improved()
