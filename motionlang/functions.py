@@ -214,7 +214,7 @@ def diff(
             raise ValueError("explore=True needs two programs, and no tolerances")
         return ways_of(*(_source_of(side) for side in (old, new)))  # type: ignore[arg-type]
     from motionlang.commands.diff.runs import compared_runs
-    from motionlang.commands.diff.tolerance import Tolerance
+    from motionlang.comparison.tolerance import Tolerance
 
     return compared_runs(_run_of(old), _run_of(new), Tolerance(*tolerances))
 

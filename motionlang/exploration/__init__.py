@@ -80,9 +80,6 @@ from motionlang.exploration.trials import (
     Interrupted,
     Trial,
     asks,
-    described,
-    plain,
-    without_figures,
 )
 from motionlang.exploration.values import is_probe
 from motionlang.exploration.world import PLAYED, FoundWorld, nowhere, world_of
@@ -117,7 +114,6 @@ __all__ = [
     "Visit",
     "alarms_in",
     "asks",
-    "described",
     "entries",
     "explore",
     "explored",
@@ -127,10 +123,8 @@ __all__ = [
     "keys_of",
     "lines_of",
     "number_in",
-    "plain",
     "statements_of",
     "tables_of",
-    "without_figures",
     "without_memory",
     "without_world",
 ]

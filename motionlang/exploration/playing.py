@@ -10,13 +10,14 @@ from collections import Counter, defaultdict, deque
 from collections.abc import Collection, Iterator
 from math import inf
 
+from motionlang.comparison.texts import plain, without_figures
 from motionlang.exploration.changes import AT_REST, Change, Channel, Moment, Timeline, levels_at, made_at
 from motionlang.exploration.cycles import MachineCycle, wrong
 from motionlang.exploration.questions import PERIOD
 from motionlang.exploration.rests import BODY, Rest, RestState
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Causes, Transition, delay
-from motionlang.exploration.trials import Trial, plain, without_figures
+from motionlang.exploration.trials import Trial
 
 # So often a cycle is played, with so many changes that lead back to it.
 TIMES, EXTRA = 5, 3

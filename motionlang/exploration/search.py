@@ -17,6 +17,7 @@ from collections.abc import Callable, Collection, Hashable, Iterator, Mapping, S
 from math import inf
 from operator import attrgetter
 
+from motionlang.comparison.texts import plain, without_figures
 from motionlang.exploration import questions
 from motionlang.exploration.changes import Channel, Timeline, given_in
 from motionlang.exploration.cycles import alarms_in, is_wrong
@@ -38,8 +39,6 @@ from motionlang.exploration.trials import (
     Trial,
     TrialMotion,
     Trials,
-    plain,
-    without_figures,
 )
 from motionlang.exploration.values import is_probe, printed_for
 from motionlang.kernel import Program, dialect

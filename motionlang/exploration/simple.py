@@ -27,11 +27,15 @@ from itertools import product
 from math import fsum, inf
 from typing import Any, NamedTuple
 
+from motionlang.comparison.texts import plain, without_figures
 from motionlang.exploration.changes import TABLES, Channel, entries, keys_of, number_in
 from motionlang.exploration.cycles import RIGHT, MachineCycle, is_right, is_wrong, names_alarm, speaks, wrong
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY
-from motionlang.exploration.trials import SHORTEST_MOVE, is_short_move, plain, without_figures
+from motionlang.exploration.trials import (
+    SHORTEST_MOVE,
+    is_short_move,
+)
 from motionlang.exploration.values import is_probe, probes_of, solved
 from motionlang.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
 from motionlang.identification import Entry, place

@@ -9,12 +9,12 @@ A trial is split at the times of `HORIZONS`, where it ends if its caller has see
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
 
+from motionlang.comparison.texts import described, plain
 from motionlang.exploration.changes import Channel, Timeline, merged, tables_of
 from motionlang.exploration.memory import Memory
 from motionlang.exploration.recorder import Begun, Comparison, Outcome, Readings, Seen, TrialRecorder
@@ -38,8 +38,6 @@ SECOND, LINE, GO_ON = 300_000, 32, 350
 SEARCH = 0.6
 # A trial is no longer than usual if it has made so many moves.
 MAX_MOVES = 300
-_ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
-_FIGURE = re.compile(r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?")
 
 
 class Act(NamedTuple):
@@ -416,16 +414,6 @@ def _trial(
     )
 
 
-def plain(text: str) -> str:
-    """Return a printed line without escape codes and control characters."""
-    return _ESCAPES.sub("", text).strip()
-
-
-def without_figures(text: str) -> str:
-    """Return a printed line with a mark for each of its figures, which differ from run to run."""
-    return _FIGURE.sub("#", text)
-
-
 def _is_homing(result: Run, base: Mapping[str, object]) -> bool:
     """True if an axis homes, or a task waits for a switch or mark of an axis that the settings have."""
     scheduler = result.machine.scheduler
@@ -467,22 +455,6 @@ def _moves(result: Run) -> Iterator[TrialMotion]:
 def is_short_move(move: LoggedMove) -> bool:
     """True if a move took no longer than one to where the axis is."""
     return move.profile is not None and move.profile.duration <= SHORTEST_MOVE
-
-
-def described(move: LoggedMove, is_homing: bool) -> str:
-    """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing.
-
-    Of a homing, whose phases end at its switch, it is the command.
-    """
-    profile = move.profile
-    if profile is None or is_homing:
-        return "" if profile is None else move.command
-    words = [move.command] if profile.duration == inf else []
-    if profile.duration < inf:
-        words.append(f"to {round(move.to_user(profile.end), 6) + 0.0:.6g}")
-    if profile.peak_speed:
-        words.append(f"at {move.size_to_user(profile.peak_speed):.6g}")
-    return " ".join(words)
 
 
 def _open_waits(result: Run) -> Iterator[Waited]:

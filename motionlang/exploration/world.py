@@ -25,6 +25,7 @@ from itertools import product
 from math import fsum, inf
 from typing import NamedTuple
 
+from motionlang.comparison.texts import without_figures
 from motionlang.exploration.along import along, answers, beyond
 from motionlang.exploration.changes import AT_REST, Change, entries, is_about, number_in, tables_of
 from motionlang.exploration.cycles import MachineCycle, wrong
@@ -32,7 +33,10 @@ from motionlang.exploration.playing import COMPARED, TIMES, count, faults, playe
 from motionlang.exploration.recorder import HANDLERS
 from motionlang.exploration.search import Explorer
 from motionlang.exploration.states import DELAY, Visit
-from motionlang.exploration.trials import Trial, is_short_move, without_figures
+from motionlang.exploration.trials import (
+    Trial,
+    is_short_move,
+)
 from motionlang.identification import Entry, Observation, channels, rules_of
 from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched

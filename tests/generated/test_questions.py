@@ -20,7 +20,11 @@ import pytest
 from motionlang import compare
 from motionlang.cli import main
 from motionlang.commands.cover.worlds import Counts
-from motionlang.exploration import explore, plain, tables_of, without_figures
+from motionlang.comparison.texts import plain, without_figures
+from motionlang.exploration import (
+    explore,
+    tables_of,
+)
 from motionlang.kernel import Run, Source, dialect_for, run
 from motionlang.kernel.lang.debugging import Hook
 from tests.cases import examples

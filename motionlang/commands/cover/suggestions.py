@@ -18,7 +18,16 @@ from motionlang.commands.cover.worlds import Event, Worlds
 from motionlang.commands.init import ending, slug
 from motionlang.commands.scenario_text import error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import LENGTH, Change, Entry, Exploration, entries, number_in, plain, tables_of
+from motionlang.comparison.texts import plain
+from motionlang.exploration import (
+    LENGTH,
+    Change,
+    Entry,
+    Exploration,
+    entries,
+    number_in,
+    tables_of,
+)
 from motionlang.kernel import Run, Source, read_machine
 from motionlang.kernel.lang import layered, names_in_comments
 from motionlang.kernel.report import axes as axes_of

@@ -20,8 +20,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain
 
 from motionlang.commands.cover import coverage
-from motionlang.commands.diff.acts import ComparedActs, PlayedWay
-from motionlang.commands.diff.align import aligned
+from motionlang.comparison.acts import ComparedActs, PlayedWay
+from motionlang.comparison.align import aligned
 from motionlang.kernel import Program
 from motionlang.kernel.lang import ACTS, NAME, PRINTS, STARTS, UNTIL, Uses
 

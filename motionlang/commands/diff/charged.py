@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from motionlang.commands.diff.align import aligned
 from motionlang.commands.profile.profile import TimeProfile
+from motionlang.comparison.align import aligned
 from motionlang.kernel import Run
 
 _FIGURES = re.compile(r"\d[\d.]*")

@@ -27,7 +27,6 @@ from motionlang.cli.readers import machine_time
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import is_recording
 from motionlang.commands.diff.runs import MAX_LINES, compared_runs, runs_document, runs_text
-from motionlang.commands.diff.tolerance import Tolerance
 from motionlang.commands.diff.way_scenarios import write_scenarios
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
 from motionlang.commands.diff.ways_page import ways_page
@@ -35,6 +34,7 @@ from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_docum
 from motionlang.commands.playing import explored_program, played_lines, playing, seconds_option
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
+from motionlang.comparison.tolerance import Tolerance
 from motionlang.exploration import SECOND, SECONDS
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.files import replacing

@@ -12,12 +12,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 from typing import Any
 
-from motionlang.commands.diff.acts import ComparedAct, PlayedWay, compared, occurred, switched, written
-from motionlang.commands.diff.tolerance import Tolerance
-from motionlang.commands.diff.ways_view import difference_words, later_words
+from motionlang.comparison.acts import ComparedAct, PlayedWay, compared, occurred, switched, written
+from motionlang.comparison.tolerance import Tolerance
 from motionlang.kernel import Run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.report import SCHEMA, text
+from motionlang.views.differences import difference_words, later_words
 
 MAX_DIFFERENCES = 8
 # Fields that are no result: a program may get lines, and new assumptions.

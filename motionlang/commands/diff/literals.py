@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from motionlang.commands.diff.align import aligned
+from motionlang.comparison.align import aligned
 from motionlang.kernel import Run
 from motionlang.kernel.lang import revalued
 

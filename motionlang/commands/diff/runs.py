@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING, Any
 
-from motionlang.commands.diff.acts import (
+from motionlang.commands.diff.charged import Charge, charged
+from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
+from motionlang.comparison.acts import (
     WORLD,
     ActDifference,
     ComparedAct,
@@ -20,11 +22,9 @@ from motionlang.commands.diff.acts import (
     places_of,
     status_of,
 )
-from motionlang.commands.diff.charged import Charge, charged
-from motionlang.commands.diff.literals import ChangedLiteral, changed_literals
-from motionlang.commands.diff.tolerance import Tolerance
-from motionlang.commands.diff.ways_view import difference_words, later_words
+from motionlang.comparison.tolerance import Tolerance
 from motionlang.kernel import Run
+from motionlang.views.differences import difference_words, later_words
 from motionlang.views.table import Column, Document, Table
 
 if TYPE_CHECKING:  # which needs numpy

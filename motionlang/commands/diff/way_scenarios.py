@@ -11,7 +11,12 @@ from motionlang.commands.init import slug
 from motionlang.commands.quantities import values_of
 from motionlang.commands.scenario_text import WITHIN, error_codes, positions, scenario_text
 from motionlang.commands.scenarios import unmet
-from motionlang.exploration import Entry, Exploration, plain, tables_of
+from motionlang.comparison.texts import plain
+from motionlang.exploration import (
+    Entry,
+    Exploration,
+    tables_of,
+)
 from motionlang.kernel import Run, run
 from motionlang.kernel.files import create
 

@@ -27,17 +27,19 @@ from itertools import groupby, islice, pairwise
 from math import ceil, inf, isclose
 from operator import itemgetter
 
-from motionlang.commands.diff.acts import (
+from motionlang.commands.diff.changed import changed_programs, note_played
+from motionlang.comparison.acts import (
     WORLD,
     ActDifference,
     ComparedAct,
     ComparedActs,
     Later,
     PlayedWay,
+    acts_of,
     compared,
-    played_way,
+    places_of,
+    status_of,
 )
-from motionlang.commands.diff.changed import changed_programs, note_played
 from motionlang.exploration import (
     HORIZON,
     LENGTH,
@@ -46,6 +48,7 @@ from motionlang.exploration import (
     Change,
     Exploration,
     MachineCycle,
+    PlayedTimeline,
     Timeline,
     Trial,
     Visit,
@@ -244,6 +247,36 @@ class Player:
     def _owner(self, line: int) -> str:
         title = self._owners.get(line, WORLD)
         return self.names.get(title, title)
+
+
+def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callable[[int], str]) -> PlayedWay:
+    """Return what a program did in a played timeline; `line` is that of a source offset, `owner` the task of a line."""
+    run, trial = played.run, played.trial
+    acts: dict[str, list[ComparedAct]] = defaultdict(list)
+    for each in sorted(acts_of(run, line), key=lambda act: act.begin):
+        acts[owner(each.line)].append(each)
+    status = "waits" if not trial.has_ended else status_of(run, trial.status)
+    places = places_of(run)
+    until = inf if trial.is_stuck or trial.has_ended else run.time
+    stays = [(each.begin, each.end) for each in played.rests]
+    changed = max(
+        (each.levels(at)[-1][0] if each.moment.every else at for at, each in trial.timeline), default=0.0
+    )
+    order = {task: list(dict.fromkeys(each.at for each in some)) for task, some in trial.statements.items()}
+    changes = [at for at, _ in trial.timeline]
+    return PlayedWay(
+        dict(acts),
+        status,
+        run.time,
+        until,
+        places,
+        stays,
+        changed,
+        trial.begun,
+        trial.outcomes,
+        order,
+        changes,
+    )
 
 
 def ways_of(a: Source, b: Source) -> WaysCompared:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
-from motionlang.commands.diff.acts import WITHIN, ActDifference, ComparedAct, Later
 from motionlang.commands.diff.ways import (
     MAX_TIMES,
     TIMES,
@@ -15,14 +14,16 @@ from motionlang.commands.diff.ways import (
     WaysCompared,
 )
 from motionlang.commands.map.program_map import channels_of
+from motionlang.comparison.acts import WITHIN
 from motionlang.exploration import Change, Exploration, Timeline
 from motionlang.kernel import dialect
 from motionlang.kernel.tools import count_of, ranges
+from motionlang.views.differences import difference_words, later_words
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable
 
-# So many steps of a way, acts of a difference, and rows of what may only be a consequence are shown.
-MAX_STEPS, MAX_ACTS, MAX_ROWS = 8, 3, 10
+# So many steps of a way, and rows of what may only be a consequence, are shown.
+MAX_STEPS, MAX_ROWS = 8, 10
 
 # The names of the inputs of a program, by number.
 Names = Mapping[int, str]
@@ -147,62 +148,6 @@ def _change(change: Change, names: Names) -> str:
     name = names.get(change.number, "") if change.table == "input" else ""
     text = str(change)
     return text.replace(change.subject, f"{change.subject} ({name})") if name else printable(text)
-
-
-def difference_words(
-    difference: ActDifference,
-    times: int = 1,
-    what: str = "ways",
-    in_a: Timeline = (),
-    in_b: Timeline = (),
-) -> str:
-    """Return what A does and what B does, and when, counted from the last change of each.
-
-    It is in so many ways, or so many `times` in one run.
-    """
-    if difference.end is not None:
-        return f"A: {difference.end[0]}, B: {difference.end[1]}{_aside((), times, what)}"
-    sides = (("A", difference.a, in_a), ("B", difference.b, in_b))
-    is_place = list(map(str, difference.a)) == list(map(str, difference.b))
-    a, b = (f"{side} {_acts(acts, timeline, is_place)}" for side, acts, timeline in sides)
-    lines = [f"line {acts[0].line} of {side}" for side, acts, _ in sides if acts and acts[0].line]
-    return f"{a}, {b}{_aside(lines, times, what)}"
-
-
-def _aside(lines: Sequence[str], times: int, what: str) -> str:
-    often = f"{times} times" if what == "times" else f"in {times} {what}"
-    parts = [*lines, *([often] if times > 1 else [])]
-    return f" ({', '.join(parts)})" if parts else ""
-
-
-def _acts(acts: Sequence[ComparedAct], timeline: Timeline, has_places: bool) -> str:
-    if not acts:
-        return "does not"
-    shown = [(printable(str(each)), each.place if has_places else "") for each in acts[:MAX_ACTS]]
-    text = ", then ".join(f"{act} at {place}" if place else act for act, place in shown)
-    rest = f" and {len(acts) - MAX_ACTS} more" if len(acts) > MAX_ACTS else ""
-    return f"{text}{rest} {_when(acts[0].begin, timeline)}"
-
-
-def _when(time: float, timeline: Timeline) -> str:
-    last = max((each for each, _ in timeline if each <= time), default=0.0)
-    return f"after {time - last:.2f} s"
-
-
-def later_words(later: Later, times: int = 1, what: str = "ways") -> str:
-    """Return what comes later, or takes longer: in so many ways, or so many `times` in one run."""
-    if later.lasts:
-        word = "longer" if later.seconds > 0.0 else "shorter"
-        words = f"takes {_seconds(later.seconds)} s {word} in B"
-    else:
-        words = f"comes {_seconds(later.seconds)} s {'later' if later.seconds > 0.0 else 'earlier'} in B"
-    lines = [f"line {later.act.line} of A"] if later.act.line else []
-    return f"{printable(str(later.act))} {words}{_aside(lines, times, what)}"
-
-
-def _seconds(value: float) -> str:
-    """Return a time with three decimals, a shorter one with three digits."""
-    return f"{abs(value):.3f}" if abs(value) >= 1e-3 else f"{abs(value):.3g}"
 
 
 def found_words(found: FoundDifference) -> str:

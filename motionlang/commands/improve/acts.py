@@ -8,7 +8,7 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.commands.improve.tasks import Tasks
-from motionlang.exploration import without_figures
+from motionlang.comparison.texts import without_figures
 from motionlang.kernel import Run
 from motionlang.kernel.log import CONTINUED, LoggedMove, Waited
 

@@ -14,18 +14,18 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from motionlang.commands.diff.acts import ComparedAct, PlayedWay
 from motionlang.commands.diff.ways import FoundDifference, Player, Way, compared_ways
 from motionlang.commands.diff.ways_view import found_words, input_names, not_compared, way_words
 from motionlang.commands.improve.behaviour import Behaviour
 from motionlang.commands.improve.tasks import Tasks
+from motionlang.comparison.acts import ComparedAct, PlayedWay
+from motionlang.comparison.texts import without_figures
 from motionlang.exploration import (
     HORIZON,
     SECOND,
     Exploration,
     Timeline,
     explore,
-    without_figures,
     without_world,
 )
 from motionlang.kernel import Program

@@ -16,6 +16,7 @@ from operator import attrgetter
 from motionlang.commands.map.cautions import CautionRow, cautions
 from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import Reachability, UnreachedRow
+from motionlang.comparison.texts import described, plain, without_figures
 from motionlang.exploration import (
     Act,
     Change,
@@ -24,13 +25,10 @@ from motionlang.exploration import (
     RestState,
     StateNode,
     Transition,
-    described,
     entries,
     is_probe,
     lines_of,
-    plain,
     statements_of,
-    without_figures,
     without_memory,
 )
 from motionlang.kernel import Run

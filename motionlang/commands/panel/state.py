@@ -12,7 +12,7 @@ from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.rest import SHADOW, TABLE_OF, seeking, tasks_of
 from motionlang.commands.panel.roles import Roles
-from motionlang.exploration import plain
+from motionlang.comparison.texts import plain
 from motionlang.identification import in_words
 from motionlang.kernel import Dialect, Machine, Program, Rejected, Run, dialect
 from motionlang.kernel.controller import fault_names

@@ -15,8 +15,8 @@ from typing import NamedTuple
 
 import pytest
 
-from motionlang.commands.diff.acts import PlayedWay
 from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
+from motionlang.comparison.acts import PlayedWay
 from motionlang.exploration import HORIZON, SECONDS, Exploration, MachineCycle, Timeline, explore
 from motionlang.kernel import Source, dialect_for
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 
-from motionlang.commands.diff.align import aligned
+from motionlang.comparison.align import aligned
 
 
 def common_length(a: list[str], b: list[str]) -> int:

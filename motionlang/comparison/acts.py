@@ -14,9 +14,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
 
-from motionlang.commands.diff.align import aligned
-from motionlang.commands.diff.tolerance import Tolerance
-from motionlang.exploration import PlayedTimeline, described, plain, without_figures
+from motionlang.comparison.align import aligned
+from motionlang.comparison.texts import described, plain, without_figures
+from motionlang.comparison.tolerance import Tolerance
 from motionlang.kernel import Run
 from motionlang.kernel.log import CONTINUED
 
@@ -119,36 +119,6 @@ class PlayedWay(NamedTuple):
     def ordered(self) -> list[ComparedAct]:
         """The acts of all tasks in the order of time."""
         return sorted((each for some in self.acts.values() for each in some), key=lambda each: each.begin)
-
-
-def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callable[[int], str]) -> PlayedWay:
-    """Return what a program did in a played timeline; `line` is that of a source offset, `owner` the task of a line."""
-    run, trial = played.run, played.trial
-    acts: dict[str, list[ComparedAct]] = defaultdict(list)
-    for each in sorted(acts_of(run, line), key=lambda act: act.begin):
-        acts[owner(each.line)].append(each)
-    status = "waits" if not trial.has_ended else status_of(run, trial.status)
-    places = places_of(run)
-    until = inf if trial.is_stuck or trial.has_ended else run.time
-    stays = [(each.begin, each.end) for each in played.rests]
-    changed = max(
-        (each.levels(at)[-1][0] if each.moment.every else at for at, each in trial.timeline), default=0.0
-    )
-    order = {task: list(dict.fromkeys(each.at for each in some)) for task, some in trial.statements.items()}
-    changes = [at for at, _ in trial.timeline]
-    return PlayedWay(
-        dict(acts),
-        status,
-        run.time,
-        until,
-        places,
-        stays,
-        changed,
-        trial.begun,
-        trial.outcomes,
-        order,
-        changes,
-    )
 
 
 def status_of(run: Run, status: str) -> str:

@@ -1,0 +1,37 @@
+"""Printed lines and moves as words that a comparison shows."""
+
+from __future__ import annotations
+
+import re
+from math import inf
+
+from motionlang.kernel.log import LoggedMove
+
+_ESCAPES = re.compile(r"\x1b(?:\[[0-9;?]*[A-Za-z]|[^\[])|[\x00-\x08\x0b-\x1f\x7f]")
+_FIGURE = re.compile(r"[-+]?\d[\d.]*(?:[eE][-+]?\d+)?")
+
+
+def plain(text: str) -> str:
+    """Return a printed line without escape codes and control characters."""
+    return _ESCAPES.sub("", text).strip()
+
+
+def without_figures(text: str) -> str:
+    """Return a printed line with a mark for each of its figures, which differ from run to run."""
+    return _FIGURE.sub("#", text)
+
+
+def described(move: LoggedMove, is_homing: bool) -> str:
+    """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing.
+
+    Of a homing, whose phases end at its switch, it is the command.
+    """
+    profile = move.profile
+    if profile is None or is_homing:
+        return "" if profile is None else move.command
+    words = [move.command] if profile.duration == inf else []
+    if profile.duration < inf:
+        words.append(f"to {round(move.to_user(profile.end), 6) + 0.0:.6g}")
+    if profile.peak_speed:
+        words.append(f"at {move.size_to_user(profile.peak_speed):.6g}")
+    return " ".join(words)
