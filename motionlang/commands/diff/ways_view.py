@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import groupby
 
+from motionlang.commands.channels import channels_of
 from motionlang.commands.diff.ways import (
     MAX_TIMES,
     TIMES,
@@ -13,7 +14,6 @@ from motionlang.commands.diff.ways import (
     Way,
     WaysCompared,
 )
-from motionlang.commands.map.program_map import channels_of
 from motionlang.comparison.acts import WITHIN
 from motionlang.exploration import Change, Exploration, Timeline
 from motionlang.kernel import dialect

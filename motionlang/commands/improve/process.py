@@ -16,9 +16,9 @@ from math import fsum, hypot, inf
 from typing import NamedTuple
 
 from motionlang.commands.certify.extremes import extremes
+from motionlang.commands.channels import channels_of
 from motionlang.commands.improve.acts import CYCLES, LATE
 from motionlang.commands.improve.tasks import Tasks
-from motionlang.commands.map.program_map import channels_of
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Literal, comments_of, names_in_comments
 from motionlang.kernel.log import LoggedMove

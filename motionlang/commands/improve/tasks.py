@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from motionlang.commands.map.program_map import channels_of
+from motionlang.commands.channels import channels_of
 from motionlang.commands.map.units import variables
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure

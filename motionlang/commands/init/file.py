@@ -8,8 +8,8 @@ from __future__ import annotations
 import os
 from math import ceil, floor, inf, isclose
 
+from motionlang.commands.channels import channels_of
 from motionlang.commands.init import Choice, Draft, at_last_move, cycle_text, ending
-from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.quantities import quantity
 from motionlang.commands.scenario_text import inline, scenario_text, toml_value
 from motionlang.commands.scenarios import scenario_folder

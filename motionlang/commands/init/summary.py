@@ -6,11 +6,10 @@ from bisect import bisect_right
 from collections.abc import Collection, Iterator
 from itertools import islice
 
+from motionlang.commands.channels import channels_of, only_named
 from motionlang.commands.init import Draft
 from motionlang.commands.init.file import leading, quoted, standstill
 from motionlang.commands.map.behaviour import never_run
-from motionlang.commands.map.channels import only_named
-from motionlang.commands.map.program_map import channels_of
 from motionlang.exploration import SHORTEST_MOVE, Change, Exploration, StateNode, is_probe
 from motionlang.kernel import Run
 from motionlang.kernel.lang import HOST_CHANNELS, WRITE, Structure, names_in_comments

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Iterable
 
+from motionlang.commands.channels import Channel
 from motionlang.commands.map.axes import AxisMap
-from motionlang.commands.map.channels import Channel
 from motionlang.commands.map.units import MapVariable
 from motionlang.exploration import Act, Change, alarms_in
 from motionlang.kernel.lang import Named

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from motionlang.commands.channels import Channel, channels, only_named, order_of
 from motionlang.commands.map.axes import AxisMap, axes
 from motionlang.commands.map.behaviour import MachineBehaviour, behaviour_of
-from motionlang.commands.map.channels import Channel, channels, only_named, order_of
 from motionlang.commands.map.names import ReaderNames
 from motionlang.commands.map.units import MapVariable, UnitMap, UnreachedRow, units, variables
 from motionlang.exploration import SECONDS, Exploration, explore, without_world
@@ -99,12 +99,3 @@ def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -
     settings = settings_next_to(program) if machine is None else machine
     language = dialect_for(source, None)
     return program_map(language.program(source, settings), language)
-
-
-def channels_of(program: Program, language: Dialect) -> list[Channel]:
-    """Return only the channels of a program; ProgramError with all errors of the text."""
-    source = program.source
-    names = names_in_comments(source, language)
-    return channels(
-        program.structure, program.settings, names, remarks(source, language), language.has_one_series
-    )

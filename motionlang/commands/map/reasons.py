@@ -16,7 +16,7 @@ from collections.abc import Collection, Iterator, Sequence
 from functools import reduce
 from typing import NamedTuple
 
-from motionlang.commands.map.channels import CALL, given_numbers, parameters_of, with_number
+from motionlang.commands.channels import CALL, given_numbers, parameters_of, with_number
 from motionlang.commands.map.names import ReaderNames
 from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges

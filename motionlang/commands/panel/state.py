@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import Any
 
+from motionlang.commands.channels import Channel, channels_of
 from motionlang.commands.map.axes import axes
-from motionlang.commands.map.channels import Channel
-from motionlang.commands.map.program_map import channels_of
 from motionlang.commands.panel.play import Play
 from motionlang.commands.panel.rest import SHADOW, TABLE_OF, seeking, tasks_of
 from motionlang.commands.panel.roles import Roles

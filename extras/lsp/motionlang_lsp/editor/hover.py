@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from motionlang.commands.channels import channels_of
 from motionlang.commands.help.view import SIGNS, markdown
-from motionlang.commands.map.program_map import channels_of
 from motionlang.kernel import ProgramError
 from motionlang.kernel.lang import Definition, Span
 from motionlang_lsp.editor.page import Page

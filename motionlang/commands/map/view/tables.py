@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from motionlang.commands.channels import DEVICES, Channel, polled
 from motionlang.commands.map.axes import TITLES, AxisFact, AxisMap
 from motionlang.commands.map.behaviour import CAUSES, MachineBehaviour, StateRow, TransitionRow
-from motionlang.commands.map.channels import DEVICES, Channel, polled
 from motionlang.commands.map.program_map import ProgramMap
 from motionlang.kernel.lang import HOST_CHANNELS, KINDS, READ, Statement, Unit
 from motionlang.kernel.tools import ranges

@@ -7,7 +7,18 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from motionlang.kernel.lang import CHANNELS, READ, WRITE, ChannelUse, Named, Read, Structure
+from motionlang.kernel import Dialect, Program
+from motionlang.kernel.lang import (
+    CHANNELS,
+    READ,
+    WRITE,
+    ChannelUse,
+    Named,
+    Read,
+    Structure,
+    names_in_comments,
+    remarks,
+)
 from motionlang.kernel.tools import ranges
 
 # The keys of the machine file that assign an input to an axis.
@@ -270,3 +281,12 @@ def order_of(channel: Channel) -> tuple[int, list[tuple[bool, int, str]]]:
     parts = channel.number.split(", ")
     numbers = [(not each.isdecimal(), int(each) if each.isdecimal() else 0, each) for each in parts]
     return CHANNELS.index(channel.kind) if channel.kind in CHANNELS else len(CHANNELS), numbers
+
+
+def channels_of(program: Program, language: Dialect) -> list[Channel]:
+    """Return only the channels of a program; ProgramError with all errors of the text."""
+    source = program.source
+    names = names_in_comments(source, language)
+    return channels(
+        program.structure, program.settings, names, remarks(source, language), language.has_one_series
+    )
