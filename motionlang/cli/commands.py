@@ -58,7 +58,7 @@ GROUPS = {
             "commands.improve.command:Improve",
             "find a shorter cycle within the limits of the machine",
         ),
-        "diff": ("commands.diff.command:Diff", "compare two programs, values or machines"),
+        "diff": ("commands.diff.in_all_ways:DiffInAllWays", "compare two programs, values or machines"),
         "compare": (
             "commands.compare.command:Compare",
             "compare a recording from a real controller with the run",

@@ -5,7 +5,6 @@ B may also be a recording from a real controller.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
@@ -27,19 +26,11 @@ from motionlang.cli.readers import machine_time
 from motionlang.cli.signals import SIGNALS
 from motionlang.commands.compare.options import is_recording
 from motionlang.commands.diff.runs import MAX_LINES, compared_runs, runs_document, runs_text
-from motionlang.commands.diff.way_scenarios import write_scenarios
-from motionlang.commands.diff.ways import Player, WaysCompared, compared_ways
-from motionlang.commands.diff.ways_page import ways_page
-from motionlang.commands.diff.ways_view import MAX_ROWS, input_names, ways_document, ways_text
-from motionlang.commands.playing import explored_program, played_lines, playing, seconds_option
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.comparison.tolerance import Tolerance
-from motionlang.exploration import SECOND, SECONDS
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Run, read_machine, run
-from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import layered
-from motionlang.kernel.tools import count_of
 from motionlang.views.table import Column, Document, Table
 
 # With --all the rows of a table are as many as there are.
@@ -81,10 +72,10 @@ class GivenProgram(ProgramOptions):
 
 @dataclass
 class Diff(OutputOptions, WorldOptions, B, Language):
-    """Compare two runs: programs, values or machines, in one world or in all ways."""
+    """Compare two runs: programs, values or machines."""
 
     title: ClassVar[str] = "comparison"
-    epilog: ClassVar[str] = f"""\
+    epilog: ClassVar[str] = """\
 What the tasks of both programs do is compared: their moves, outputs, prints and
 events, in order, with their times and positions. Without B, A is compared with
 itself under --set-b or --machine-b. `motionlang verify` compares a program with
@@ -92,13 +83,13 @@ its golden files, `motionlang compare` with a recording.
 
 exit status: 0 no difference; 1 a difference; 2 the command line is invalid
 
-{played_lines()}
 examples:
   motionlang diff old/pick.mnt pick.mnt --tolerance time=1ms
   motionlang diff old/pick.prg pick.mnt --scenarios    in every world of A
-  motionlang diff old/pick.prg pick.mnt --explore    in all ways of either
   motionlang diff pick.mnt --set-b rate=2000     two values of a constant
 """
+    # The options that motionlang-explore adds.
+    EXPLORING: ClassVar[tuple[str, ...]] = ("explore", "write-scenarios", "seconds")
     removed: ClassVar[Mapping[str, str]] = {
         **{f"{name}-{side}": "write a scenario of the world: motionlang diff A B --scenarios"
            for name in ("input", "analog", "answer", "keys") for side in "ab"},
@@ -109,14 +100,11 @@ examples:
         "keep": "motionlang sweep FILE --keep shows quantities",
         "map": "motionlang compare takes recordings, with --map",
         "delay": "motionlang compare takes recordings, with --delay",
+        **dict.fromkeys(EXPLORING, "motionlang-explore compares in all ways: python -m pip install ./extras/explore"),
     }  # fmt: skip
     a: str = argument("A", "a program")
     b: str | None = argument("B", "another one", default=None)
     scenarios: bool = flag("compare in each scenario of A, too")
-    explore: bool = flag("compare two programs in all ways that an exploration of either finds")
-    write_scenarios: str | None = option(
-        "DIR", "with --explore: write a scenario for each difference, which passes on A and fails on B"
-    )
     tolerance: list[str] = option(
         "WHAT=SIZE",
         "ignore smaller differences: time=1ms, position=0.01uu, speed=2%%; may be repeated",
@@ -125,16 +113,13 @@ examples:
     all: bool = flag("list everything, not only the first rows of each kind")
     plot: str | None = option("PAGE", "draw the motion of both runs as a page", suffixes=(".html",))
     until: float | None = option("S", "end each run after S seconds of machine time", read=machine_time)
-    seconds: float | None = seconds_option(before="with --explore, for each program and for the ways: ")
 
     def unnamed_files(self) -> list[str]:
         return [*machine_next_to(self.a), *machine_next_to(self.b)]
 
     def run(self) -> int:
-        if not self.explore and "seconds" in self.typed:
-            raise WrongOption("--seconds limits the search of --explore")
         try:
-            tolerance = Tolerance(*self.tolerance)
+            Tolerance(*self.tolerance)
         except ValueError as error:
             raise WrongOption(str(error)) from None
         other = self.b or (self.a if self.set_b or self.machine_b else None)
@@ -147,10 +132,11 @@ examples:
                 f"give two programs, or --set-b or --machine-b; motionlang verify {self.a} "
                 "compares a program with its golden files"
             )
-        if self.write_scenarios is not None and not self.explore:
-            raise WrongOption("--write-scenarios needs --explore")
-        if self.explore:
-            return self._in_all_ways(other)
+        return self.compare(other)
+
+    def compare(self, other: str) -> int:
+        """Compare A with another program and return the exit status."""
+        tolerance = Tolerance(*self.tolerance)
         most = MAX_LINES_OF_ALL if self.all else MAX_LINES
         if self.scenarios:
             return self._in_scenarios(other, tolerance, most)
@@ -174,36 +160,6 @@ examples:
         shown = (f"{each.world}:{' ' if each.same else chr(10)}{each.differences}" for each in worlds)
         self.show(Document([table]), "".join(shown))
         return 0 if all(each.same for each in worlds) else 1
-
-    def _in_all_ways(self, other: str) -> int:
-        for name in ("scenarios", "tolerance", "until"):
-            if getattr(self, name):
-                raise WrongOption(f"--{name} and --explore exclude each other")
-        a = explored_program(GivenProgram.of(self, "a", self.a), self.seconds)
-        b = explored_program(GivenProgram.of(self, "b", other), self.seconds, a.switches.settings)
-        work = 2.0 * SECOND * (self.seconds or SECONDS)
-        with playing("ways") as progress:
-            found = compared_ways(Player(a), Player(b), work, progress=progress)
-        names = input_names(a)
-        self.show(
-            ways_document(found, names), ways_text(found, names, MAX_LINES_OF_ALL if self.all else MAX_ROWS)
-        )
-        status, page = 0 if found.same else 1, self.plot
-        if page is not None:
-            status = max(status, written(page, lambda: _write_page(page, ways_page(found, names))))
-        if self.write_scenarios is not None:
-            status = max(status, self._write(found, names, self.write_scenarios))
-        return status
-
-    def _write(self, found: WaysCompared, names: Mapping[int, str], folder: str) -> int:
-        try:
-            paths, left = write_scenarios(found, names, folder)
-        except OSError as error:
-            raise Refused([unreadable(str(error.filename or folder), error)], file=folder) from None
-        written_files = count_of(len(paths), "scenario")
-        missing = f"; {count_of(len(left), 'difference')} that no expectation shows" if left else ""
-        sys.stderr.write(f"{written_files} written to {folder}{missing}\n")
-        return 0
 
     def _side(self, side: str, path: str, scenario: str = "") -> Run:
         given = GivenProgram.of(self, side, path)
@@ -241,8 +197,3 @@ def _layered(settings: dict[str, object], scenario: str) -> dict[str, object]:
     both = layered(settings, above)
     both.pop("expect", None)
     return both
-
-
-def _write_page(path: str, text: str) -> None:
-    with replacing(path) as file:
-        file.write(text.encode())
