@@ -3,23 +3,23 @@
     run = motionlang.run("pick.mnt")
     run.status, run.time, run.output, run.moves[0].duration
 
-`__all__` is the complete interface. Each name is imported on first use.
+`__all__` is the complete interface. Each name is imported on first use. Those that explore a program are in
+motionlang-explore, a distribution of its own.
 """
 
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+    from typing import Any
+
     from motionlang.commands.plan import Plan, plan
     from motionlang.commands.sweep import Row, sweep
     from motionlang.functions import (
         certify,
         check,
         compare,
-        cover,
         diff,
-        explore,
-        improve,
-        map,
         profile,
         run,
     )
@@ -40,6 +40,11 @@ if TYPE_CHECKING:
     from motionlang.kernel.servo import Loop, Motor, Servo, Track, simulate
     from motionlang.kernel.version import __version__
     from motionlang.repl.session import Session
+
+    cover: Callable[..., Any]
+    explore: Callable[..., Any]
+    improve: Callable[..., Any]
+    map: Callable[..., Any]
 
 __all__ = [
     "Diagnostic",
@@ -100,13 +105,9 @@ _HOMES = {
     "certify": "functions",
     "check": "functions",
     "compare": "functions",
-    "cover": "functions",
     "dialect": "kernel",
     "diff": "functions",
-    "explore": "functions",
     "hold": "kernel.planners",
-    "improve": "functions",
-    "map": "functions",
     "parse": "kernel",
     "plan": "commands.plan",
     "plan_trapezoid": "kernel.planners",
@@ -120,13 +121,17 @@ if not TYPE_CHECKING:
     # Not for type checkers, for which every name would exist then.
     def __getattr__(name: str) -> object:
         """Import a name on first use."""
-        if name not in _HOMES:
+        if name not in __all__:
             raise AttributeError(f"module 'motionlang' has no attribute {name!r}")
         from importlib import import_module
 
-        found: object = getattr(import_module(f"motionlang.{_HOMES[name]}"), name)
+        home = _HOMES.get(name)
+        if home is None:
+            found = import_module("motionlang.extras").brought(name)
+        else:
+            found = getattr(import_module(f"motionlang.{home}"), name)
         globals()[name] = found
-        return found
+        return found  # type: ignore[no-any-return]
 
 
 def __dir__() -> list[str]:

@@ -6,12 +6,12 @@ Each function only checks its arguments and calls the layer that does the work, 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Literal, overload
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Literal, cast, overload
 
+from motionlang.extras import brought
 from motionlang.kernel import (
     DEFAULT_AXES,
-    CheckedSettings,
     Diagnostic,
     ProgramError,
     Run,
@@ -23,19 +23,13 @@ from motionlang.kernel import (
     unknown_model,
 )
 from motionlang.kernel import run as run_program
-from motionlang.kernel.failures import allowed
 from motionlang.kernel.lang import Given, one_sentence
 
 if TYPE_CHECKING:
     from motionlang.commands.certify import CertifiedLimit
     from motionlang.commands.compare.comparison import Comparison
-    from motionlang.commands.cover import Coverage
     from motionlang.commands.diff.runs import RunsCompared
-    from motionlang.commands.diff.ways import WaysCompared
-    from motionlang.commands.improve import Improvement
-    from motionlang.commands.map.program_map import ProgramMap
     from motionlang.commands.profile.profile import TimeProfile
-    from motionlang.exploration import Exploration
 
 Program = str | os.PathLike[str] | Source
 
@@ -135,58 +129,8 @@ def profile(program: Program | Run) -> TimeProfile:
     return TimeProfile(_run_of(program))
 
 
-def map(
-    program: Program,
-    *,
-    machine: Settings | None = None,
-    run: bool = True,
-) -> ProgramMap:
-    """Return what a machine does, and what its program is made of: channels, axes, units, variables.
-
-    The program is played, as in `explore`: `behaviour` has the cycle, the states, what handlers do, and what never ran.
-    Without `run` it is not, and `behaviour` is None. `machine` is as in the function `run`; its inputs, answers and the
-    like are not used. Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for
-    a program with errors.
-    """
-    from motionlang.commands.map.program_map import map_of_machine, mapped
-
-    source = program if isinstance(program, Source) else Source.read(program)
-    settings = CheckedSettings(
-        checked_settings(machine) if machine is not None else settings_next_to(program)
-    )
-    if run:
-        return map_of_machine(source, dialect_for(source, None), settings)
-    return mapped(source, settings)
-
-
-def cover(program: Program, *, until: float | None = None) -> Coverage:
-    """Return which statements and conditions of a program its runs reach, in its own world and in its scenarios.
-
-    `until` ends each run, as in `run`. Raises OSError if a file cannot be read, ValueError for an unknown language and
-    ProgramError for a program or a machine file with errors.
-    """
-    from motionlang.commands.cover import covered
-
-    return covered(program if isinstance(program, Source) else os.fspath(program), until=until)
-
-
-def explore(program: Program) -> Exploration:
-    """Return the states in which a program waits, what leads from one to the next, and its cycles.
-
-    The program is played: each input, key, answer and number of a host that it reads is changed, with the settings of
-    the machine file next to it but for its inputs, answers and the like. `nodes` are the states with their
-    transitions, `cycles` the cycles, the likeliest first, and `world` the entries of a machine file with which one
-    runs. `str` shows all of it.
-
-    Raises OSError if a file cannot be read, ValueError for an unknown language and ProgramError for a program or a
-    machine file with errors.
-    """
-    from motionlang.exploration import explored
-
-    return explored(_source_of(program))
-
-
-def _source_of(program: Program) -> Source:
+def source_of(program: Program) -> Source:
+    """Return the text of a program."""
     return program if isinstance(program, Source) else Source.read(os.fspath(program))
 
 
@@ -195,24 +139,24 @@ def diff(
     old: Program | Run, new: Program | Run, *tolerances: str, explore: Literal[False] = False
 ) -> RunsCompared: ...
 @overload
-def diff(old: Program, new: Program, *, explore: Literal[True]) -> WaysCompared: ...
+def diff(old: Program, new: Program, *, explore: Literal[True]) -> Any: ...
 def diff(
     old: Program | Run, new: Program | Run, *tolerances: str, explore: bool = False
-) -> RunsCompared | WaysCompared:
+) -> RunsCompared | Any:
     """Return the difference between what the tasks of two runs do.
 
     Each side is a `Run`, or a program to run first. The result has `same`, `differences`, `later` for what comes at
     another time, `charges` for the lines that take it, and `apart` for the largest difference of a position.
     `tolerances` are texts such as "time=1ms", "position=0.01uu" or "speed=2%". With `explore` two programs are compared
     in all ways that an exploration of either finds: the result also has `cycles`, and `left`, the ways that were not
-    compared. Raises ValueError for a wrong tolerance, ProgramError for a program with errors, and the errors of `run`.
+    compared; that needs motionlang-explore, and raises ImportError without it. Raises ValueError for a wrong tolerance,
+    ProgramError for a program with errors, and the errors of `run`.
     """
     if explore:
-        from motionlang.commands.diff.ways import ways_of
-
         if tolerances or not all(isinstance(side, str | os.PathLike | Source) for side in (old, new)):
             raise ValueError("explore=True needs two programs, and no tolerances")
-        return ways_of(*(_source_of(side) for side in (old, new)))  # type: ignore[arg-type]
+        ways_of = cast("Callable[..., Any]", brought("ways_of"))
+        return ways_of(*(source_of(side) for side in (old, new)))  # type: ignore[arg-type]
     from motionlang.commands.diff.runs import compared_runs
     from motionlang.comparison.tolerance import Tolerance
 
@@ -266,29 +210,6 @@ def certify(program: Program | Run) -> list[CertifiedLimit]:
     found = verify_motion(result.controller, lines, result.time).violations
     result.diagnostics += [each for each in found if each.message not in known]
     return lines
-
-
-def improve(
-    program: Program,
-    *,
-    machine: Settings | None = None,
-    by: float = 0.0,
-    edits: int = 0,
-    cycle: str = "",
-    also: Iterable[str] = (),
-    allow: Iterable[str] = (),
-) -> Improvement:
-    """Return a shorter cycle of a program within the limits of its machine, as edits of its numbers.
-
-    `machine` is as for `run`. `by` is the wanted share, such as 0.1: the fewest edits that gain it; or `edits` is
-    how many edits there may be. `cycle` names what repeats, such as "cycle(12)". `also` are numbers of the process
-    that are changed, too, such as "SPEED[0]@9". `allow` has the events that a good run may have, as `--allow`.
-    Raises ValueError if there is no cycle or no limit, and the errors of `run`.
-    """
-    from motionlang.commands.improve import improver_of
-
-    program = program if isinstance(program, Source) else os.fspath(program)
-    return improver_of(program, machine, cycle=cycle, also=also, allow=allowed(allow)).improved(by, edits)
 
 
 def _run_of(program: Program | Run) -> Run:

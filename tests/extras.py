@@ -5,7 +5,7 @@ from __future__ import annotations
 from importlib.util import find_spec
 from pathlib import Path
 
-from motionlang.cli.commands import EXTRAS
+from motionlang.extras import COMMANDS as EXTRAS
 
 ROOT = Path(__file__).parent.parent
 INSTALLED = [each for each in sorted((ROOT / "extras").glob("*")) if find_spec(f"motionlang_{each.name}")]

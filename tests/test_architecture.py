@@ -200,7 +200,12 @@ def test_no_private_module_of_python_is_imported() -> None:
 
 @cache
 def roots() -> tuple[Path, ...]:
-    return (ROOT, ROOT / "tests", PACKAGE, *(path for path in PACKAGE.rglob("*") if path.is_dir()))
+    packages = (PACKAGE, ROOT / "extras" / "explore" / "motionlang_explore")
+    return (
+        ROOT,
+        ROOT / "tests",
+        *(path for each in packages for path in (each, *each.rglob("*")) if path.is_dir()),
+    )
 
 
 @cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", "\n".join(PAGES)))))

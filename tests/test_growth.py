@@ -14,12 +14,12 @@ import pytest
 
 from motionlang.cli import main
 from motionlang.commands.check import check
-from motionlang.commands.map.behaviour import behaviour_of
-from motionlang.commands.map.names import ReaderNames
-from motionlang.commands.map.program_map import program_map
-from motionlang.commands.map.view.text import render
-from motionlang.exploration import explore
 from motionlang.kernel import Source, dialect_of
+from motionlang_explore.exploration import explore
+from motionlang_explore.map.behaviour import behaviour_of
+from motionlang_explore.map.names import ReaderNames
+from motionlang_explore.map.program_map import program_map
+from motionlang_explore.map.view.text import render
 from tests.counted_calls import all_calls
 
 

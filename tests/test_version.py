@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from motionlang import __version__
-from motionlang.cli.commands import EXTRAS
+from motionlang.extras import COMMANDS as EXTRAS
 
 ROOT = Path(__file__).parent.parent
 

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang.cli.commands import GROUPS, build_parser
-from motionlang.commands.playing import PLAYED
+from motionlang_explore.playing import PLAYED
 
 ROOT = Path(__file__).parents[1]
 _SECTION = re.compile(r"(<!-- (commands|played|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 from motionlang.cli.command import Command
 from motionlang.cli.parser import Parser
+from motionlang.extras import COMMANDS as EXTRAS
+from motionlang.extras import installation
 from motionlang.kernel.tools import as_hint
 from motionlang.kernel.version import __version__
 
@@ -25,7 +27,6 @@ PROGRAM, VERSION = "motionlang", ("-V", "--version")
 GROUPS = {
     "run a program": {
         "run": ("commands.run.command:RunCommand", "run a program and report what it did"),
-        "panel": ("commands.panel.command:PanelCommand", "operate the machine of a program in a browser"),
         "trace": ("commands.trace.command:TraceCommand", "sample the motion of a run into a file"),
         "plot": ("commands.plot.command:Plot", "draw the motion of a run into a file"),
         "profile": (
@@ -38,12 +39,10 @@ GROUPS = {
         ),
     },
     "write and check one": {
-        "init": ("commands.init.command:Init", "write a first machine file for a program, and run it"),
         "check": (
             "commands.check.command:Check",
             "find the errors and warnings of programs without running them",
         ),
-        "map": ("commands.map.command:Map", "show what a program does: channels, axes, structure, states"),
         "plan": (
             "commands.plan.command:PlanCommand",
             "work out the figures of a move and write a program for it",
@@ -54,20 +53,12 @@ GROUPS = {
     },
     "compare and verify": {
         "sweep": ("commands.sweep.command:SweepCommand", "run many variants of a program and find the best"),
-        "improve": (
-            "commands.improve.command:Improve",
-            "find a shorter cycle within the limits of the machine",
-        ),
-        "diff": ("commands.diff.in_all_ways:DiffInAllWays", "compare two programs, values or machines"),
+        "diff": ("commands.diff.command:Diff", "compare two programs, values or machines"),
         "compare": (
             "commands.compare.command:Compare",
             "compare a recording from a real controller with the run",
         ),
         "verify": ("commands.verify.command:Verify", "compare programs with their golden files"),
-        "cover": (
-            "commands.cover.command:Cover",
-            "show which statements and conditions of programs their runs reach",
-        ),
     },
     "connect hosts": {
         "serve": ("hosts.commands.serve:Serve", "let hosts talk to a virtual controller"),
@@ -79,9 +70,9 @@ GROUPS = {
     },
 }
 COMMANDS = {name: row for rows in GROUPS.values() for name, row in rows.items()}
-# The commands of the distributions in the folder extras, which may not be installed.
-EXTRAS = ("mcapi", "copley", "lsp")
-Parser.verbs = (*COMMANDS, *EXTRAS)
+# The distribution of each command of the folder extras, which may not be installed. It may extend one of `COMMANDS`.
+FOLDERS = {name: folder for folder, names in EXTRAS.items() for name in names}
+Parser.verbs = tuple({**COMMANDS, **FOLDERS})
 
 EPILOG = """\
 
@@ -108,8 +99,9 @@ def _listing(others: Mapping[str, str]) -> str:
     groups: dict[str, Mapping[str, str]] = {
         title: {name: row[1] for name, row in rows.items()} for title, rows in GROUPS.items()
     }
-    if others:
-        groups["commands of other packages"] = others
+    added = {name: summary for name, summary in others.items() if name not in COMMANDS}
+    if added:
+        groups["commands of other packages"] = added
     lines = []
     for title, summaries in groups.items():
         lines += [f"{title}:", *(f"  {name:<11} {summary}" for name, summary in summaries.items()), ""]
@@ -120,8 +112,14 @@ def _others() -> dict[str, EntryPoint]:
     """Return the commands of other distributions, by name."""
     from importlib.metadata import entry_points  # as slow as a tenth of a short run, which needs none
 
-    found = {each.name: each for each in entry_points(group="motionlang.commands")}
-    return {name: found[name] for name in sorted(found.keys() - COMMANDS.keys())}
+    found = {each.name: each for each in entry_points(group="motionlang.commands") if _is_allowed(each)}
+    return dict(sorted(found.items()))
+
+
+def _is_allowed(other: EntryPoint) -> bool:
+    """True if a command takes the place of none of `COMMANDS`, or is of the distribution that extends it."""
+    extends = other.dist is not None and other.dist.name == f"motionlang-{FOLDERS.get(other.name)}"
+    return other.name not in COMMANDS or extends
 
 
 def _summary(other: EntryPoint, others: Iterable[EntryPoint]) -> str:
@@ -136,7 +134,7 @@ def _summary(other: EntryPoint, others: Iterable[EntryPoint]) -> str:
 
 def build_parser(command: str = "") -> argparse.ArgumentParser:
     """Return the parser of a command, of all commands if it is "*", or of their names alone."""
-    others = {} if command in (*COMMANDS, *VERSION) else _others()
+    others = {} if command in VERSION or (command in COMMANDS and command not in FOLDERS) else _others()
     summaries = {name: _summary(each, others.values()) for name, each in others.items()}
     parser = Parser(
         prog=PROGRAM,
@@ -144,12 +142,14 @@ def build_parser(command: str = "") -> argparse.ArgumentParser:
         description="Run motion-controller programs offline: Mint (Baldor/ABB) and MCCL (PMC).",
         epilog=_listing(summaries) + EPILOG,
     )
-    if command in EXTRAS and command not in others:
-        install = f"python -m pip install ./extras/{command}"
-        parser.exit(2, f"{PROGRAM}: error: {command} needs motionlang-{command}: {install}\n")
+    if command in FOLDERS and command not in (*others, *COMMANDS):
+        folder = FOLDERS[command]
+        parser.exit(2, f"{PROGRAM}: error: {command} needs motionlang-{folder}: {installation(folder)}\n")
     parser.add_argument(*VERSION, action="version", version=f"{PROGRAM} {__version__}")
     commands = parser.add_subparsers(prog=PROGRAM, metavar="COMMAND", required=True, help=argparse.SUPPRESS)
     for name in [command] if command in COMMANDS else COMMANDS:
+        if name in others:
+            continue
         module, summary = COMMANDS[name]
         if command in (name, "*"):
             file, _, made = module.partition(":")

@@ -11,9 +11,11 @@ from __future__ import annotations
 import io
 import shlex
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import pytest
+from _pytest.mark.structures import ParameterSet
 
 from motionlang import __version__
 from tests.cli.programs import STROKE, Cell
@@ -170,27 +172,39 @@ def replayed(transcript: str, cell: Cell) -> str:
     return "\n".join([*lines, ""]).replace(f"motionlang {__version__}", "motionlang VERSION")
 
 
-@pytest.mark.parametrize(
-    ("page", "name"),
-    [
+def sections_of(pages: Sequence[Path]) -> list[ParameterSet]:
+    """Return the sections of some pages as parameters: page and name."""
+    return [
         pytest.param(page, name, id=f"{page.stem.partition('_')[2]} {name}".strip())
-        for page in TRANSCRIPTS
+        for page in pages
         for name in sections(page)
-    ],
-)
-def test_a_transcript(
-    page: Path, name: str, cell: Cell, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
-) -> None:
+    ]
+
+
+@pytest.fixture
+def compared(
+    cell: Cell, monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest
+) -> Callable[[Path, str], None]:
+    """Return the comparison of a section of a page with what its commands print."""
     for path in cell.folder.glob("*.mcl"):
         path.unlink()
     for file, text in FILES.items():
         cell.write(file, text)
     monkeypatch.setattr(sys, "stdin", sys.stdin)
     monkeypatch.setenv("COLUMNS", "100")
-    recorded = sections(page)
-    found = replayed(recorded[name], cell)
-    if request.config.getoption("--update"):
-        recorded[name] = found
-        texts = [f"== {each}\n{text.rstrip()}\n" for each, text in recorded.items()]
-        page.write_text("\n".join(texts), encoding="utf-8", newline="\n")
-    assert rounded(found.rstrip()) == rounded(recorded[name].rstrip())
+
+    def compare(page: Path, name: str) -> None:
+        recorded = sections(page)
+        found = replayed(recorded[name], cell)
+        if request.config.getoption("--update"):
+            recorded[name] = found
+            texts = [f"== {each}\n{text.rstrip()}\n" for each, text in recorded.items()]
+            page.write_text("\n".join(texts), encoding="utf-8", newline="\n")
+        assert rounded(found.rstrip()) == rounded(recorded[name].rstrip())
+
+    return compare
+
+
+@pytest.mark.parametrize(("page", "name"), sections_of(TRANSCRIPTS))
+def test_a_transcript(page: Path, name: str, compared: Callable[[Path, str], None]) -> None:
+    compared(page, name)

@@ -33,7 +33,7 @@ def never(kind: str, text: str) -> str:
         ("README.md", "[try](playground/README.md)", '<a href="playground/index.html?docs">try</a>'),
         ("docs/README.md", "[c](../CONTRIBUTING.md)", "[c](CONTRIBUTING.md)"),
         ("docs/contributing/kernel.md", "[events.md](../events.md)", "[events.md](../events.md)"),
-        ("docs/old-machine.md", "[old](../examples/old)", "old"),
+        ("extras/explore/docs/old-machine.md", "[old](../../../examples/old)", "old"),
         ("CONTRIBUTING.md", "[a](docs/contributing/decisions.md)", "[a](contributing/decisions.md)"),
         ("README.md", "[there](https://example.org/a)", "[there](https://example.org/a)"),
         (

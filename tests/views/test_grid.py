@@ -14,12 +14,12 @@ from rich.table import Table
 from rich.text import Text
 from rich.theme import Theme
 
-from motionlang.commands.cover.view import files_table
 from motionlang.views import report
 from motionlang.views.formatting import decimals_of
 from motionlang.views.table import GAP, Column
 from motionlang.views.table import Table as Ours
 from motionlang.views.terminal import STYLES, styled
+from motionlang_explore.cover.view import files_table
 
 # Only a rule below the head, which runs through the gaps: rich's notation of a box, line by line.
 BOX = "    \n    \n ── \n    \n    \n    \n    \n    \n"

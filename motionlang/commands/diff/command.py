@@ -29,6 +29,7 @@ from motionlang.commands.diff.runs import MAX_LINES, compared_runs, runs_documen
 from motionlang.commands.scenarios import scenario_files
 from motionlang.commands.scope import write_scope
 from motionlang.comparison.tolerance import Tolerance
+from motionlang.extras import installation
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Run, read_machine, run
 from motionlang.kernel.lang import layered
 from motionlang.views.table import Column, Document, Table
@@ -100,7 +101,7 @@ examples:
         "keep": "motionlang sweep FILE --keep shows quantities",
         "map": "motionlang compare takes recordings, with --map",
         "delay": "motionlang compare takes recordings, with --delay",
-        **dict.fromkeys(EXPLORING, "motionlang-explore compares in all ways: python -m pip install ./extras/explore"),
+        **dict.fromkeys(EXPLORING, f"motionlang-explore compares in all ways: {installation('explore')}"),
     }  # fmt: skip
     a: str = argument("A", "a program")
     b: str | None = argument("B", "another one", default=None)

@@ -11,9 +11,9 @@ import pytest
 from motionlang import diff, run
 from motionlang.commands.diff.runs import runs_text
 from motionlang.kernel import Source, dialect_of, settings_next_to
+from test_explore.worlds import world_of
 from tests.cases import cases
 from tests.cli.programs import Cell
-from tests.commands.worlds import world_of
 
 ROOT = Path(__file__).parents[3]
 V4 = [

@@ -14,10 +14,10 @@ import numpy as np
 
 from motionlang.commands.compare.baseline import baseline_of, read_compared
 from motionlang.commands.compare.comparison import compare
-from motionlang.commands.init.recorded.drafting import entries_of
-from motionlang.commands.init.recorded.recording import measured_recording
 from motionlang.commands.recording import RecordedTable
 from motionlang.kernel import Run, Source, run
+from motionlang_explore.init.recorded.drafting import entries_of
+from motionlang_explore.init.recorded.recording import measured_recording
 
 STEP = 0.02
 PROGRAM = """\

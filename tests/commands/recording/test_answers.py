@@ -14,10 +14,10 @@ from hypothesis import strategies as st
 
 from motionlang.commands.compare.baseline import baseline_of, read_compared
 from motionlang.commands.compare.comparison import Comparison, compare
-from motionlang.commands.init.recorded.drafting import entries_of
-from motionlang.commands.init.recorded.recording import measured_recording
 from motionlang.commands.recording import read_file, table_of
 from motionlang.kernel import ProgramError, Run, Source, run
+from motionlang_explore.init.recorded.drafting import entries_of
+from motionlang_explore.init.recorded.recording import measured_recording
 from tests.cases import examples
 from tests.commands.recording.spelled import STEP, Answer, Spelling, answer, moments, text_of, write
 

@@ -10,10 +10,10 @@ import pytest
 
 from motionlang.commands.compare.baseline import baseline_of, read_compared
 from motionlang.commands.compare.comparison import compare
-from motionlang.commands.init.recorded.drafting import entries_of
-from motionlang.commands.init.recorded.recording import measured_recording
 from motionlang.commands.recording import read_file
 from motionlang.kernel import ProgramError
+from motionlang_explore.init.recorded.drafting import entries_of
+from motionlang_explore.init.recorded.recording import measured_recording
 from tests.cli.programs import Cell
 from tests.commands.recording.spelled import PROGRAM, machine, moments, spellings, write
 

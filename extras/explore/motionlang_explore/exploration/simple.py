@@ -1,0 +1,560 @@
+"""Simple worlds, tried where the world of the likeliest cycle does little or no good work.
+
+Problem. A program of ten lines that runs once may wait for nothing: it looks at an input once, counts it while an axis
+jogs, or takes what a host has written. No state asks for what it needs. Or the likeliest cycle is a side job of a menu.
+
+Idea. The program runs in simple worlds. Other inputs than those of a cycle are off, on, answer when they are asked for,
+or come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
+is worth most, until none is worth more. The channel that a run has read last may stop it, and is first.
+A program measures a part by a level: where it does at one within limits what it does at no other, that one is taken.
+It judges a part by an input: where a run does something else with it never on, always on or behind an output, the
+branch is taken that is worth more. An input without which nothing but texts is missing, such as a stop, is off.
+
+What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
+printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
+
+Cost. What is left of the work of the exploration; where the world that was found is a good one, two runs for each
+input, for each output two more of each that is off, and some for each level.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial, reduce
+from itertools import product
+from math import fsum, inf
+from typing import Any, NamedTuple
+
+from motionlang.comparison.texts import plain, without_figures
+from motionlang.kernel import Run
+from motionlang_explore.exploration.changes import TABLES, Channel, entries, keys_of, number_in
+from motionlang_explore.exploration.cycles import (
+    RIGHT,
+    MachineCycle,
+    is_right,
+    is_wrong,
+    names_alarm,
+    speaks,
+    wrong,
+)
+from motionlang_explore.exploration.search import Explorer
+from motionlang_explore.exploration.states import DELAY
+from motionlang_explore.exploration.trials import (
+    SHORTEST_MOVE,
+    is_short_move,
+)
+from motionlang_explore.exploration.values import is_probe, probes_of, solved
+from motionlang_explore.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
+from motionlang_explore.identification import Entry, place
+
+# So much of the work of an exploration simple worlds may take where a good one was found, in so many runs each time, of
+# this length, s.
+GOOD, TRIES, LENGTH = 0.2, 250, 60.0
+# A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
+# must be worth so much more.
+LITTLE, OTHERS, MORE = 0.4, 2, 1.0
+# A channel with more entries changes one by one. From so many worlds other ones are looked for.
+LISTED, STARTS = 2, 3
+# A text in a program.
+_TEXT = re.compile('"([^"]*[A-Za-z][^"]*)"')
+# What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
+ENOUGH, HALF = 3, 0.5
+# What counts for a run: all statements, its end, a line that moves to a target, another motion, an output, a printed
+# line. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
+# entry of the machine file, less for a number or a key that comes whenever it is asked for, more for what pulses.
+WHOLE, ENDS = 4.0, 2.0
+MOVE, JOG, OUTPUT, SAID = "move", "jog", "output", "said"
+WORTH = {MOVE: 1.5, JOG: 0.5, OUTPUT: 0.5, SAID: 2.0}
+WRONG, NEVER, NOTHING, ENTRY, ANSWERS, PULSED = 4.0, 3.0, 5.0, 0.01, 0.5, 1.5
+# A sensor behind an output takes so long, s, and a push of a button.
+SOON, PUSH = 0.1, 1.0
+# A flow meter or a tachometer comes and goes so fast, s.
+COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
+# So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
+MARKS, LENGTHS, ALL = 7, 3, 1000
+# So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
+FIRST, PAIRS, REST = 7, 1, 2
+# Levels and numbers that are tried.
+USUAL, LEVELS, ABOVE, NUMBERS = 50.0, (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
+
+Settings = Mapping[str, object]
+
+
+class Tried(NamedTuple):
+    """A run in a world: the statements that begin, their share of the program, its worth, and if its work is good.
+
+    `read` are the channels that it reads, in the order in which it reads them first, or last if it waits for ever.
+    `times` is how often the line moves an axis that does so most often, `faults` how much it says of what is wrong.
+    """
+
+    settings: Settings
+    run: Run
+    begun: frozenset[int]
+    read: Sequence[Channel]
+    times: int
+    faults: float
+    share: float
+    value: float
+    is_good: bool
+
+
+def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[MachineCycle]) -> FoundWorld:
+    """Return the world that was found, or a better one if it does little or no good work.
+
+    It is the world of another cycle that carries out what this one does not, or a simple one.
+    """
+    if not explorer.has_work:
+        return found
+    first = _tried(explorer, found.settings)
+    channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
+    first = _within_limits(explorer, channels, first, least)
+    if first.is_good:
+        # What comes one by one is over soon.
+        tables = ((table, each) for table in ("input", "analogue") for each in entries(first.settings, table))
+        often = Counter((table, number_in(table, each)) for table, each in tables)
+        first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
+        off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
+        first = _with_less(explorer, _right_branch(explorer, off, first, least), least)
+    if first.settings != found.settings:
+        found = found._replace(settings=first.settings, run=first.run)
+    if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
+        return found
+    # What says what is wrong may only lack a rule, such as marks on the way.
+    others = [each for each in likeliest if each.repeats and not each.begun <= first.begun]
+    others.sort(key=lambda each: bool(wrong(each.said)))
+    worlds = [found, *(world_of(explorer, [each]) for each in others[:OTHERS])]
+    inputs = [number for table, number in channels if table == "input"]
+    # What has no entry yet is never on, always on, or answers.
+    rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
+    bare = {**found.settings, "input": []}
+    known = {number_in("analogue", each) for each in entries(bare, "analogue")}
+    levels = [
+        {**keys_of(*each), "value": USUAL, **ON}
+        for each in channels
+        if each[0] == "analogue" and each[1] not in known
+    ]
+    if len(levels) > 1:  # one by one they lead no further
+        bare["analogue"] = [*entries(bare, "analogue"), *levels]
+    guards = _guards(explorer)
+    held = {**bare, "input": [{"channel": each, **ON} for each, on in guards.items() if on]}
+    free = [each for each in inputs if each not in guards]
+    bases = [
+        ({**each, **more}, some)
+        for each, some in ((bare, inputs), (held, free))
+        for more in ({}, _asked(bare))
+    ]
+    starts = [(_with_others(each, some, rule), found) for each, some in bases for rule in (ASKED, ON, PULSES)]
+    starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
+    starts = [each for k, each in enumerate(starts) if each[0] not in [one for one, _ in starts[:k]]]
+    tried = [(first, found)]
+    tried += [(_tried(explorer, settings, least), world) for settings, world in starts if explorer.has_work]
+    best, world = max(tried, key=lambda each: each[0].value)
+    # Where less answers the program waits sooner.
+    starting = {each[0].begun: each for each in tried}.values()
+    most = explorer.most()
+    for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
+        if best.is_good and best.share >= LITTLE:
+            break
+        climbed = _climbed(explorer, channels, start, least, most)
+        if climbed.value > best.value:
+            best, world = climbed, other
+    if best.is_good < first.is_good or best.value < first.value + MORE:
+        return found
+    best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
+    return world._replace(settings=best.settings, run=best.run)
+
+
+def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, least: int) -> Tried:
+    """Return the run that goes further of those that take another branch of a judgement by one more input."""
+    rules = [{**ON}, *_followed(first.run)]
+    settings = (_with(first.settings, each, rule) for each, rule in product(off, rules))
+    flipped = [_tried(explorer, each, least) for each in settings if explorer.has_work]
+    found = (first, *(each for each in flipped if _judges(explorer, first, each)))
+    return max(found, key=lambda each: each.value)
+
+
+def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
+    """Return a run with inputs never or always on where it only says less then, such as a stop, or goes further.
+
+    They are changed one by one, and both of a condition.
+    """
+    given = dict.fromkeys(("input", number_in("input", each)) for each in entries(first.settings, "input"))
+    several = [*((each,) for each in given), *_pairs(explorer, [*given])]
+    for some, rule in product(several, ({}, {**ON})):
+        settings = reduce(partial(_with, rule=rule), some, first.settings)
+        less = _tried(explorer, settings, least) if explorer.has_work else first
+        lost = _acts(explorer, first.run)[0].keys() - _acts(explorer, less.run)[0].keys()
+        only_says = less.times >= first.times and bool(lost) and all(kind == SAID for kind, _ in lost)
+        goes_further = less.value > first.value and _judges(explorer, first, less)
+        if less.is_good and (only_says or goes_further):
+            first = less
+    return first
+
+
+def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
+    """True if two runs take two branches of a judgement: each does something that the other does not, and is good.
+
+    What ends the program is no branch of it.
+    """
+    mine, others = (_acts(explorer, each.run)[0].keys() for each in (one, other))
+    ends = other.run.status == "ended" != one.run.status
+    return other.is_good and not ends and bool(mine - others and others - mine)
+
+
+def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
+    """Return a good run with levels at which statements begin that begin at no others, or the first run.
+
+    The program has measured a part then, and what is within limits is good. Rules of other channels may depend on it.
+    """
+    known = dict.fromkeys((*channels, *first.read))
+    for channel in (each for each in known if each[0] == "analogue" and each not in explorer.given):
+        if not explorer.has_work:
+            break
+        settings = partial(_with, first.settings, channel)
+        ends = [_tried(explorer, settings({"value": level, **ON})) for level in (0.0, ABOVE)]
+        usual = ends[0].begun | ends[1].begun
+        if (first.is_good and not first.begun <= usual) or not explorer.has_work:
+            continue
+        probes = probes_of(channel)
+        trials = [explorer.trials.play_in(settings({"value": each.value, **ON}), LENGTH) for each in probes]
+        for level in (each.value for each in solved(*probes, *trials) if explorer.has_work):
+            run = _tried(explorer, settings({"value": level, **ON}), least)
+            if not run.begun <= usual:
+                left = [each for each in channels if each != channel]
+                run = run if run.is_good else _climbed(explorer, left, run, least, explorer.most())
+                if run.is_good and not run.begun <= usual:
+                    first = run
+                    break
+    return first
+
+
+def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel, Settings]]:
+    """Yield the settings with another simple rule for one channel, or for both inputs of a statement, and the first."""
+    first, channels = _tried(explorer, settings), _channels(explorer)
+    for some in [*((each,) for each in channels), *_pairs(explorer, channels)]:
+        yield from ((some[0], each) for each in _others(explorer, some, first))
+
+
+def _guards(explorer: Explorer) -> dict[int, bool]:
+    """Return the inputs of which one level has only brought what is wrong, each with the other level."""
+    brings: dict[tuple[int, bool], set[bool]] = defaultdict(set)
+    for each in (each for node in explorer.nodes.values() for each in node.transitions):
+        if [one.table for one in each.causes] == ["input"]:
+            says = any(map(is_wrong, each.does.prints)) or any(
+                _is_on_alarm(explorer, at) for at in each.begun
+            )
+            is_wrong_then = says or not each.outputs.isdisjoint(explorer.alarms)
+            brings[each.causes[0].number, bool(each.causes[0].value)].add(is_wrong_then)
+    return {number: not on for (number, on), found in sorted(brings.items()) if found == {True}}
+
+
+def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Settings:
+    """Return settings in which all inputs without an entry have the same rule."""
+    known = {number_in("input", each) for each in entries(settings, "input")}
+    made: list[Entry] = [{"channel": each, **rule} for each in inputs if each not in known]
+    return {**settings, "input": [*entries(settings, "input"), *made]}
+
+
+def _asked(settings: Settings) -> Settings:
+    """Return the numbers and the keys of a world, each with its first value and whenever it is asked for."""
+    made: dict[str, list[Entry]] = {}
+    for table in WRITES:
+        firsts: dict[int, Entry] = {}
+        for each in entries(settings, table):
+            rest = {key: value for key, value in each.items() if key != "at"}
+            firsts.setdefault(number_in(table, each), {**rest, **ASKED})
+        made |= {table: [*firsts.values()]} if firsts else {}
+    return made
+
+
+def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int, most: float) -> Tried:
+    """Return the simple world that is worth most: channels take the best of their rules until none is better.
+
+    What the run has read last comes first, since it may be what stops it; then what starts a handler. The first rules
+    of all channels come first, then one for both inputs of a condition, such as two hands, and the others last.
+    """
+    trials = explorer.trials
+    last, enough = trials.count + TRIES, explorer.most(GOOD)
+    stage, before = 0, best.value
+    while True:
+        events = sorted(explorer.triggers | explorer.latches)
+        read = [*reversed(best.read), *(("input", each) for each in events)]
+        ones = [(each,) for each in dict.fromkeys(read) if each in channels]
+        for some in _pairs(explorer, channels) if stage == PAIRS else ones:
+            for settings in [*_others(explorer, some, best)][
+                slice(FIRST, None) if stage == REST else slice(FIRST)
+            ]:
+                if trials.work > (min(enough, most) if best.is_good else most) or trials.count > last:
+                    return best
+                run = _tried(explorer, settings, least)
+                # What says what is wrong comes no further than what has begun to work.
+                is_right = run.is_good or run.faults <= best.faults or not best.times
+                if run.value > best.value and is_right:
+                    best = run
+            if best.value > before + HALF:
+                break
+        if best.value <= before + HALF and stage == REST:
+            return best
+        stage = 0 if best.value > before + HALF else stage + 1
+        before = best.value
+
+
+def _pairs(explorer: Explorer, channels: Sequence[Channel]) -> list[tuple[Channel, ...]]:
+    """Return the two inputs of each statement that reads two."""
+    uses = (
+        [use for use in each.channels if use.channel == "input"]
+        for each in explorer.program.structure.statements.values()
+    )
+    found = dict.fromkeys(
+        tuple(sorted({("input", int(use.number)) for use in some if use.number.isdecimal()})) for some in uses
+    )
+    return [each for each in found if len(each) == 2 and set(each) <= set(channels)]
+
+
+def _channels(explorer: Explorer) -> list[Channel]:
+    """Return the channels that the program reads, or names where the exploration has not come to."""
+    uses = (use for _, use in explorer.program.structure.inputs())
+    named = [("input", int(use.number)) for use in uses if use.channel == "input" and use.number.isdecimal()]
+    numbers = (each for each in explorer.read if each[0] in ("key", "analogue", "comms", "netdata"))
+    inputs = (("input", each) for each in (*explorer.channels, *sorted(explorer.latches)))
+    known = dict.fromkeys([*numbers, *inputs, *named])
+    return [each for each in known if each not in explorer.given]
+
+
+def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
+    """Return a run in a world with its worth; it works if it does something at least so often, or ends."""
+    run, begun, read = explorer.trials.run_in(settings, LENGTH)
+    begun -= explorer.handlers
+    right, faults = _acts(explorer, run)
+    has_ended = run.status == "ended"
+    # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
+    done = min((count for (kind, _), count in right.items() if kind == MOVE), default=0)
+    log = run.machine.log
+    others = (each.time for some in (log.prints, log.outputs) for each in some)
+    last = max((each.start_time for each in log.moves), default=max(others, default=0.0))  # a lamp may blink
+    is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
+    order = sorted(read, key=lambda each: round(read[each])) if is_stuck else list(read)
+    never = is_stuck and done < ENOUGH
+    times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
+    # A trial ends early if the program starts moves without time for them.
+    is_over = run.status == "until" and run.time < LENGTH
+    statements = explorer.program.structure.statements.values()
+    is_motionless = not any(each.moves for each in statements)
+    works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
+    often = 1 if has_ended else ENOUGH
+    share = len(begun) / max(len(statements), 1)
+    value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
+    value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
+    value += RIGHT * any(is_right(str(text)) for kind, text in right if kind == SAID)
+    # What stops for ever behind what is wrong says it once.
+    wrongs = fsum(1.0 if is_stuck else min(count / often, 1.0) for count in faults.values())
+    value -= WRONG * wrongs
+    made = [(table, each) for table in TABLES for each in entries(settings, table)]
+    value -= ENTRY * fsum(_cost(*each) for each in made)
+    is_good = works and not (never or fault_of(explorer, run))
+    return Tried(settings, run, frozenset(begun), order, times, wrongs, share, round(value, 6), is_good)
+
+
+def _cost(table: str, entry: Entry) -> float:
+    """Return the cost of an entry: that of an answer is lower, that of an input that pulses by itself is higher."""
+    if table in WRITES and "asked" in entry:
+        return ANSWERS
+    return PULSED if "every" in entry and "axis" not in entry else 1.0
+
+
+def fault_of(explorer: Explorer, run: Run) -> str:
+    """Return what is wrong with the work of a run in words, "" if nothing is.
+
+    A run that prints nothing, or only jogs, does no work if the program has texts, or moves, that no trial has reached.
+    One that switches no output does none if the program switches several. An alarm that comes once in several pieces,
+    each of which makes the same move, calls for a change of tool.
+    """
+    right, faults = _acts(explorer, run)
+    for each in run.machine.log.prints:
+        text = without_figures(plain(each.text))
+        if (SAID, text) in right and _is_on_alarm(explorer, each.at):
+            faults[text] += right.pop((SAID, text))
+    often = Counter[str]()
+    for (kind, _), count in right.items():
+        often[kind] = max(often[kind], count)
+    texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
+    said = [repr(text) for each, text in texts.items() if each in faults]
+    times = often[MOVE] if run.cycle is None else run.cycle.count
+    if not said:
+        homes = run.dialect.table().homes
+        same = Counter(
+            (each.line, each.axis, round(each.to_user(each.profile.end), 3))
+            for each in run.machine.log.moves
+            if each.profile is not None
+            and each.profile.duration < inf
+            and not (each.ended or homes(each.command))
+        )
+        times = max([times, often[SAID], *same.values()])
+    if faults.total() > HALF * (times if not said else often[SAID]):
+        words = f"prints {', '.join(said)}"
+        return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
+    if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
+        return "cuts off its moves at once"
+    outputs = _outputs(explorer)
+    if len(outputs) > 1 and not said and not any((OUTPUT, each) in right for each in outputs):
+        return "switches no output"
+    if texts or not run.machine.log.moves:
+        return ""
+    is_silent, is_still = _missed(explorer)
+    if is_silent and run.status != "ended":
+        return "prints nothing"
+    if not (often[MOVE] or often[JOG]):
+        return "only homes"
+    return "only jogs" if is_still and not often[MOVE] else ""
+
+
+def _is_on_alarm(explorer: Explorer, at: int) -> bool:
+    """True if the condition on the same line before a statement names what is wrong, as in If alarm = 3 Then."""
+    source = explorer.program.source
+    line, column = source.location(at) if at >= 0 else (0, 0)
+    condition = source.line(line)[: max(column - 1, 0)].lower() if line else ""
+    words = condition.split()
+    is_condition = "if" in words and "then" in words and "not" not in words
+    return is_condition and names_alarm(condition) and bool(wrong([condition]))
+
+
+def _missed(explorer: Explorer) -> tuple[bool, bool]:
+    """True if no trial has reached some text that says nothing wrong, and some motion."""
+    statements = explorer.program.structure.statements.items()
+    missed = [each for at, each in statements if not each.waits and at not in explorer.trials.seen]
+    texts = (text for each in missed for text in _TEXT.findall(each.text))
+    return not all(map(is_wrong, texts)), any(each.moves for each in missed)
+
+
+def _outputs(explorer: Explorer) -> set[int]:
+    """Return the outputs, but for alarms, that the statements of the work switch on."""
+    statements, others = explorer.program.structure.statements.items(), explorer.beside | explorer.handlers
+    work = (each for at, each in statements if at not in others)
+    return set[int]().union(*(each.outputs for each in work)) - set(explorer.alarms)
+
+
+def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
+    """Return how often a run does each thing, and how often it says what is wrong."""
+    right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
+    aside = explorer.beside | explorer.handlers
+    for move in run.machine.log.moves:
+        if move.profile is not None and not (is_short_move(move) or homes(move.command)):
+            is_done = move.profile.duration < inf and not move.ended
+            right[MOVE if is_done else JOG, move.line] += 1
+    for switched in run.machine.log.outputs:
+        if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
+            faults[f"output {switched.channel}"] += 1
+        elif switched.value and switched.at >= 0 and switched.at not in aside:
+            right[OUTPUT, switched.channel] += 1
+    for each in run.machine.log.prints:
+        if each.at not in explorer.beside:
+            text = without_figures(plain(each.text))
+            if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
+                faults[text] += 1
+            elif speaks(text) and each.at not in explorer.handlers:
+                right[SAID, text] += 1
+    return right, faults
+
+
+def _others(explorer: Explorer, channels: Sequence[Channel], best: Tried) -> Iterator[Settings]:
+    """Yield the settings of a run with another rule for some channels, the simplest first."""
+    rules = _rules if channels[0][0] == "input" else _levels
+    for rule in rules(explorer, channels[0], best.run):
+        yield reduce(partial(_with, rule=rule), channels, best.settings)
+
+
+def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
+    """Return settings with a rule for a channel, the only one; none if it is empty."""
+    table, number = channel
+    others = {key: each for key, each in settings.items() if key != table}
+    left = [each for each in entries(settings, table) if number_in(table, each) != number]
+    made = sorted([*left, *([{**keys_of(*channel), **rule}] if rule else [])], key=partial(number_in, table))
+    return {**others, **({table: made} if made else {})}
+
+
+def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
+    """Yield the simple rules of an input: never, always, a person, a sensor behind an output, marks, a position."""
+    simple: tuple[Entry, ...] = (
+        {},
+        {**ON},
+        {**ASKED},
+        {**PULSES},
+        {**ASKED, "for": PUSH},
+        {**ON, "for": PUSH},
+    )
+    if channel[1] in explorer.triggers:
+        yield {**COUNTED}
+    yield from _marks(run, explorer.marks.get(channel[1], ()))
+    yield from simple
+    yield from _followed(run)
+    for axis, way in _ways(run).items():
+        middle = round((min(way.places) + max(way.places)) / 2, 2)
+        yield {"axis": axis, "above": middle}
+        yield {"axis": axis, "below": middle}
+    yield from _marks(run, (0.5,))
+
+
+def _followed(run: Run) -> Iterator[Entry]:
+    """Yield the rules of a sensor behind each output, on with it and on without it."""
+    for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
+        yield {"output": output, "delay": SOON}
+        yield {"output": output, "delay": SOON, "value": 0}
+
+
+def _marks(run: Run, shares: Iterable[float]) -> Iterator[Entry]:
+    """Yield the marks along the way of each axis, at shares of its moves."""
+    for share, (axis, way) in product(shares, _ways(run).items()):
+        for step in (*way.lengths[:LENGTHS], (max(way.places) - min(way.places)) / MARKS):
+            first = (way.places[0] + share * step) % step if step > 0.0 else 0.0
+            mark = [round(first + each * step, 2) for each in (0.0, 0.1)]
+            if mark[0] < mark[1]:
+                yield {"axis": axis, "between": mark, "every": round(step, 2), "times": ALL}
+
+
+def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
+    """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
+    key = "text" if channel[0] == "key" else "value"
+    for value in _values(explorer, channel):
+        if channel[0] != "analogue":
+            yield {key: value, **ASKED}
+            yield {key: value, "at": DELAY}
+            continue
+        yield {"value": value, **ON}
+        for axis, way in _ways(run).items():
+            low, high = min(way.places), max(way.places)
+            yield {"axis": axis, "above": low, "value": 0.0, "per_unit": round(2 * value / (high - low), 4)}
+
+
+def _values(explorer: Explorer, channel: Channel) -> list[Any]:
+    """Return the values of a key, a number or a level at which comparisons turn, and usual ones."""
+    tried = (each for node in explorer.nodes.values() for causes in node.tried for each in causes)
+    solved = dict.fromkeys(each.value for each in tried if each.channel == channel and not is_probe(each))
+    if channel[0] == "key":
+        return list(solved)
+    if channel[0] == "analogue":
+        return sorted({*map(float, solved), *LEVELS})
+    whole = int if channel[0] == "netdata" else float
+    return list(dict.fromkeys(whole(each) for each in (*solved, *NUMBERS)))
+
+
+class Way(NamedTuple):
+    """The places, in user units, where moves of an axis began and ended, and the different lengths of the moves."""
+
+    places: Sequence[float]
+    lengths: Sequence[float]
+
+
+def _ways(run: Run) -> dict[int, Way]:
+    """Return the way of each axis that moved."""
+    places: dict[int, list[float]] = defaultdict(list)
+    lengths: dict[int, dict[float, None]] = defaultdict(dict)
+    for move in run.machine.log.moves:
+        if move.profile is not None and not is_short_move(move):
+            axis = run.controller.axes[move.axis]
+            end = min(move.start_time + move.profile.duration, max(run.time, move.start_time + PUSH))
+            begin, end = place(axis, move.start_time), place(axis, end)
+            places[move.axis] += [begin, end]
+            lengths[move.axis][round(abs(end - begin), 2)] = None
+    return {axis: Way(each, list(lengths[axis])) for axis, each in places.items() if max(each) > min(each)}

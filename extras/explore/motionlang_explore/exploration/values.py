@@ -1,0 +1,239 @@
+"""Values of what has more than two levels: keys, analogue inputs, numbers of a host.
+
+Two unusual values are played. A comparison whose margin (left side minus right side) differs between the two runs
+depends on the value, plain, shifted or scaled, as in `k = k - 48 : IF k = 1` or `ADC(0) * 3 > set - 5`. The margin is
+linear in the value, so the value at which the sides are equal follows from the two, and a value on each side of it.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from itertools import chain, pairwise
+from math import inf, isfinite
+from typing import TYPE_CHECKING
+
+from motionlang_explore.exploration.changes import WHOLE, Change, Channel
+from motionlang_explore.exploration.recorder import Comparison
+
+if TYPE_CHECKING:
+    from motionlang_explore.exploration.trials import Trial
+
+# Two unusual keys, levels, numbers and answers.
+KEYS, LEVELS, NUMBERS, ANSWERS = ("~", "|"), (41.0, 43.0), (7771.0, 7773.0), ("7771", "7773")
+# Answers that a person tries, and how many times the last number of a wide range is the first one.
+USUAL_ANSWERS, WIDE = ("10", "1", "100", "0.5"), 100.0
+_RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
+ENTER = "\r"
+# What a person tries.
+USUAL: dict[str, Sequence[float | str]] = {
+    "key": (*"1234567890", ENTER),
+    "analogue": (50.0,),
+    "comms": (10.0,),
+    "netdata": (10,),
+    "modbus.register": (10,),
+}
+# A level is tried so far from where a comparison turns, percent.
+STEP = 2.0
+# So many values are tried of one channel.
+MAX_VALUES = 24
+# An input comes so often at most.
+MAX_TIMES = 50
+
+
+def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
+    """Return two unusual changes of a channel with more than two levels; `question` is that of an answer."""
+    table, number = channel
+    unusual: dict[str, Sequence[float | str]] = {"key": KEYS, "analogue": LEVELS, "answer": ANSWERS}
+    unusual |= {each: [int(number) for number in NUMBERS] for each in WHOLE}
+    first, second = unusual.get(table, NUMBERS)
+    return Change(table, number, first, question), Change(table, number, second, question)
+
+
+def first_write(channel: Channel) -> Change:
+    """Return the change of a number of a host to 1."""
+    table, number = channel
+    return Change(table, number, 1 if table in WHOLE else 1.0)
+
+
+def is_probe(change: Change) -> bool:
+    """True if the value of a change is an unusual one."""
+    return change.table != "input" and change.value in (*KEYS, *LEVELS, *NUMBERS, *ANSWERS)
+
+
+def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:
+    """Return the values of a channel at which comparisons turn, from the trials with two other values of it."""
+    roots = turning_at(_number(first), _number(second), one, other)
+    ordered = sorted(roots)
+    found = dict.fromkeys(chain.from_iterable(_near(first, each, ordered) for each in roots))
+    changes = [change for value in found if (change := _change(first, value)) is not None]
+    changes += [first._replace(value=text) for text in _words(first, one)]
+    if found or first.table == "key":
+        changes += [first._replace(value=each) for each in USUAL.get(first.table, ())]
+    return list(dict.fromkeys(changes))[:MAX_VALUES]
+
+
+def turning_at(a: float, b: float, one: Trial, other: Trial) -> list[float]:
+    """Return the values of something at which comparisons turn, from the trials with two other values of it."""
+    roots: dict[float, None] = {}
+    for at, margins in _margins(one).items():
+        for m, n in zip(margins, _margins(other).get(at, []), strict=False):
+            slope = (n - m) / (b - a)
+            if slope and isfinite(slope):
+                roots[a - m / slope] = None
+    return list(roots)
+
+
+def counts(trials: Sequence[Trial]) -> list[int]:
+    """Return how often an input must come for comparisons to turn that count it, from trials with 1, 2 … times.
+
+    What counts it differs by the same from each trial to the next one.
+    """
+    if len(trials) < 2:
+        return []
+    first, *others = map(_margins, trials)
+    found: dict[int, None] = {}
+    for at, margins in first.items():
+        rows = [margins, *(other.get(at, []) for other in others)]
+        # One after the other, and the last ones, since a loop that waits compares more often for more pulses.
+        for known in dict.fromkeys((*zip(*rows, strict=False), tuple(chain(*(row[-1:] for row in rows))))):
+            steps = {after - before for before, after in pairwise(known)}
+            if len(known) < len(trials) or len(steps) > 1 or 0.0 in steps:
+                continue
+            root = 1 - known[0] / steps.pop()
+            if root.is_integer():
+                found |= dict.fromkeys((int(root), int(root) + 1))
+    return [each for each in found if 1 < each <= MAX_TIMES]
+
+
+# Comparisons, and the sides that they have seen.
+Compared = frozenset[tuple[Comparison, tuple[object, object]]]
+
+
+def compared_in(trial: Trial) -> Compared:
+    """Return what the comparisons of a trial have seen, without how often."""
+    return frozenset((at, pair) for at, pairs in trial.comparisons.items() for pair in pairs)
+
+
+def level_of_bit(usual: Compared, new: Compared) -> float:
+    """Return the level of an input of a bank at which two sides are equal; on if that is unknown.
+
+    `new` is seen only if the input has the other level: one side differs by its bit.
+    """
+    for side, before, other in _differing(usual, new):
+        bit = int(abs(side - before))
+        if bit.bit_count() == 1 and other.is_integer():
+            return float(bool(int(other) & bit))
+    return 1.0
+
+
+def turns(usual: Compared, new: Compared) -> list[Comparison]:
+    """Return the comparisons of numbers that are usual and have a result that none of the usual ones has."""
+    results, others = _results(usual), _results(new)
+    return [at for at, found in others.items() if at in results and not found <= results[at]]
+
+
+def _results(compared: Compared) -> dict[Comparison, set[bool | None]]:
+    """Return for each comparison of numbers if the left side is the larger one, None if both are equal."""
+    found: dict[Comparison, set[bool | None]] = defaultdict(set)
+    for at, (left, right) in compared:
+        if isinstance(left, (int, float)) and isinstance(right, (int, float)):
+            found[at].add(None if left == right else left > right)
+    return found
+
+
+def _differing(usual: Compared, new: Compared) -> Iterator[tuple[float, float, float]]:
+    """Yield a side that differs, its usual value, and the other side, which are numbers."""
+    known: dict[Comparison, list[tuple[object, object]]] = defaultdict(list)
+    for at, pair in sorted(usual, key=str):
+        known[at].append(pair)
+    for at, (left, right) in sorted(new, key=str):
+        for was_left, was_right in known[at]:
+            sides = left, was_left, right, was_right
+            if all(isinstance(each, (int, float)) for each in sides):
+                a, b, c, d = (float(each) for each in sides)  # type: ignore[arg-type]
+                yield a, b, c
+                yield c, d, a
+
+
+def _margins(trial: Trial) -> dict[Comparison, list[float]]:
+    """Return left side minus right side of the comparisons of numbers."""
+    return {
+        at: [
+            float(left) - float(right)
+            for left, right in sides
+            if isinstance(left, (int, float)) and isinstance(right, (int, float))
+        ]
+        for at, sides in trial.comparisons.items()
+    }
+
+
+def _words(change: Change, trial: Trial) -> dict[str, None]:
+    """Return the texts with which the text of a change was compared."""
+    sides = [pair for pairs in trial.comparisons.values() for pair in pairs]
+    found = (
+        right if left == change.value else left for left, right in sides if change.value in (left, right)
+    )
+    return dict.fromkeys(each for each in found if isinstance(each, str) and each)
+
+
+def usual_answers(printed: str) -> list[str]:
+    """Return the answers that a person tries: within the ranges that the program prints, and usual ones."""
+    ranges = [_within(float(low), float(high)) for low, high in _RANGE.findall(printed)]
+    return list(dict.fromkeys((*ranges, *USUAL_ANSWERS)))
+
+
+def _within(low: float, high: float) -> str:
+    """Return the middle of a range, an integer if one is in it; of a wide one a usual answer."""
+    if high > WIDE * max(low, 1.0):
+        return next((each for each in USUAL_ANSWERS if low <= float(each) <= high), f"{low:.10g}")
+    middle = (low + high) / 2
+    return f"{int(middle) if int(middle) >= low else middle:.10g}"
+
+
+def printed_for(trial: Trial, question: str) -> str:
+    """Return what a program has printed since its last answer, but for the questions: a range in another is its own.
+
+    The digits of an echo would continue a range such as `3 to 8`.
+    """
+    asked = [each for each in trial.waits if each.cause == "operator"]
+    answered = max((each.until for each in asked if each.until < inf), default=0.0)
+    questions = {each.at for each in asked}
+    lines = [each.text for each in trial.prints if each.time >= answered and each.at not in questions]
+    return "\n".join((*lines, question))
+
+
+def _number(change: Change) -> float:
+    if change.table == "answer":
+        return float(change.value)
+    return float(ord(change.value)) if isinstance(change.value, str) else change.value
+
+
+def _near(change: Change, root: float, roots: Sequence[float]) -> tuple[float, ...]:
+    """Return a root, or the next usual value on each side of it; of a level not beyond the middle to the next root."""
+    if change.table == "analogue":
+        k = bisect_left(roots, root)
+        below, above = (*roots[max(k - 1, 0) : k], -inf)[0], (*roots[k + 1 : k + 2], inf)[0]
+        up, down = (above - root) / 2, (root - below) / 2
+        return tuple(
+            round(root + each, 1 if abs(each) == STEP else 3) for each in (min(up, STEP), -min(down, STEP))
+        )
+    if not float(root).is_integer():
+        return round(root + 0.5), round(root - 0.5)
+    return (root,) if change.table in ("key", "answer") else (root, root + 1.0)
+
+
+def _change(change: Change, value: float) -> Change | None:
+    """Return a change to a value, None if there is no such key or level."""
+    if change.table == "answer":
+        return change._replace(value=f"{value:.10g}")
+    if change.table == "key":
+        known = value == ord(ENTER) or 32 <= value < 127
+        return change._replace(value=chr(int(value))) if known and value == int(value) else None
+    if change.table in WHOLE:
+        return change._replace(value=int(value)) if value == int(value) else None
+    if change.table == "analogue" and not 0.0 <= value <= 100.0:
+        return None
+    return change._replace(value=value)

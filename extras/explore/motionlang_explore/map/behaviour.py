@@ -1,0 +1,552 @@
+"""The behaviour of a machine in words, from its exploration: cycle, states, handlers, and lines that never ran.
+
+A row is a transition of the exploration. One that happens with fewer changes as well is left out, and so is one that
+happens by itself all the same.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Hashable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from math import inf
+from operator import attrgetter
+
+from motionlang.comparison.texts import described, plain, without_figures
+from motionlang.kernel import Run
+from motionlang.kernel.lang import Structure
+from motionlang_explore.exploration import (
+    Act,
+    Change,
+    Effect,
+    Exploration,
+    RestState,
+    StateNode,
+    Transition,
+    entries,
+    is_probe,
+    lines_of,
+    statements_of,
+    without_memory,
+)
+from motionlang_explore.map.cautions import CautionRow, cautions
+from motionlang_explore.map.names import ReaderNames
+from motionlang_explore.map.units import Reachability, UnreachedRow
+
+# What a task waits for, by cause.
+CAUSES = {
+    "time": "a time",
+    "axis": "motion",
+    "input": "an input",
+    "operator": "the operator",
+    "task": "another task",
+    "host": "a host",
+    "condition": "a condition",
+}
+# A wait that is shorter is not shown, and what happens so soon after something else happens then, s.
+SHORTEST = 0.001
+
+
+@dataclass(eq=False, slots=True)
+class TransitionRow:
+    """A transition in words: what leads on, what happens then, in order, how long it takes, s, and where it leads.
+
+    `lines` are those that it runs.
+    """
+
+    until: str
+    then: Sequence[str]
+    seconds: float
+    to: str
+    lines: frozenset[int] = frozenset()
+
+
+@dataclass(eq=False, slots=True)
+class StateRow:
+    """A state: its lines with the calls that lead there, its first statement, what it reads, and what leads on.
+
+    `lines` are those that it repeats or waits at.
+    """
+
+    name: str
+    statement: str
+    reads: Sequence[str]
+    transitions: Sequence[TransitionRow]
+    is_in_cycle: bool
+    lines: frozenset[int] = frozenset()
+
+
+@dataclass(eq=False, slots=True)
+class HandlerRow:
+    """The effect of a handler: its trigger, its acts, the states in which it was seen, and the state that follows.
+
+    `meets` is the line whose move is going on, 0 for none; `lines` are those that it runs.
+    """
+
+    unit: str
+    start: str
+    then: Sequence[str]
+    states: dict[str, None]
+    to: str
+    meets: int
+    lines: frozenset[int]
+
+
+@dataclass(eq=False, slots=True)
+class ChoiceRow:
+    """Another key, answer or number of a host in the cycle, where it is given, and what happens then, in order."""
+
+    instead: str
+    state: str
+    then: Sequence[str]
+
+
+@dataclass(eq=False, slots=True)
+class CycleRow:
+    """Something in the cycle: s since its begin, the line, what it is, and how long it takes, None for no time."""
+
+    time: float
+    line: int
+    what: str
+    seconds: float | None = None
+
+
+@dataclass(eq=False, slots=True)
+class MachineBehaviour:
+    """The behaviour of a machine: its states, power-up first, handlers, choices, its cycle, and lines that never ran.
+
+    `cautions` are what to know before the program is changed, `remarks` what holds in all states that say nothing else.
+    `span` are begin and end of the cycle in the run of the exploration's world, or of the whole run if it has none.
+    `ending` is what happens in that run behind its last move, if the program ends.
+    """
+
+    exploration: Exploration
+    states: list[StateRow]
+    handlers: list[HandlerRow]
+    choices: list[ChoiceRow]
+    cycle_rows: list[CycleRow]
+    cautions: list[CautionRow]
+    remarks: list[str]
+    unreached: list[UnreachedRow]
+    span: tuple[float, float]
+    ending: Sequence[str]
+
+    @property
+    def run(self) -> Run:
+        """The run in the world of the likeliest cycle."""
+        return self.exploration.world.run
+
+
+def behaviour_of(
+    exploration: Exploration, structure: Structure, names: ReaderNames, unreached: Iterable[UnreachedRow]
+) -> MachineBehaviour:
+    """Return what a machine does by its exploration; nothing leads to the lines of `unreached`."""
+    run = exploration.world.run
+    cycle = run.cycle
+    span = (0.0, run.time) if cycle is None else cycle.span
+    words = _Words(exploration, structure, names)
+    return MachineBehaviour(
+        exploration,
+        words.states(),
+        words.handlers(),
+        words.choices(),
+        _joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time"))),
+        cautions(exploration, structure, names),
+        words.remarks(),
+        sorted(
+            (*never_run(exploration, structure), *unreached),
+            key=attrgetter("first"),
+        ),
+        span,
+        _ending(exploration, structure, names),
+    )
+
+
+class _Words:
+    """The states and transitions of an exploration in words."""
+
+    def __init__(self, exploration: Exploration, structure: Structure, names: ReaderNames) -> None:
+        self.exploration, self.names = exploration, names
+        self.structure = structure
+        given = [node.state for node in exploration.nodes]
+        self.usual = _usual(given)
+        # States that have the same name without their usual places, or with them, differ by their statements.
+        self._names: dict[RestState | None, str] = {}
+        for parts in (self.unusual, lambda state: state):
+            lines = {state: lines_of(state and parts(state), structure.line) for state in given}
+            places = {(name, without_memory(state)) for state, name in lines.items()}
+            often = Counter(name for name, _ in places)
+            for state, name in lines.items():
+                if often[name] == 1:
+                    self._names.setdefault(state, name)
+        for state, name in lines.items():
+            self._names.setdefault(state, f"{name} ({statements_of(state or (), structure)})")
+        self._commanding = {each.line for each in structure.statements.values() if not each.is_silent}
+        # The handlers that the change of a channel starts, by the name of the channel.
+        self.started = {
+            f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
+        }
+
+    def unusual(self, state: RestState) -> RestState:
+        """Return a state without the places where its tasks usually rest; all of it if nothing is left."""
+        return tuple(each for each in state if each._replace(memory=()) not in self.usual) or state
+
+    def remarks(self) -> list[str]:
+        """Return where tasks wait in states that say nothing else, and which inputs read 0 when they are on."""
+        found = [
+            f"unless said otherwise, {each.task} waits in {lines_of((each,), self.structure.line)}: "
+            f"{statements_of((each,), self.structure)}"
+            for each in self.usual
+        ]
+        low = sorted(self.exploration.world.run.controller.inputs.active_low)
+        named = [self.names[subject] for n in low if (subject := f"input {n}") in self.names]
+        return (
+            [*found, f"active low, so the program reads 0 when it is on: {', '.join(named)}"]
+            if named
+            else found
+        )
+
+    def lines(self, state: RestState | None) -> str:
+        """Return the name of a state: its lines, with the calls that lead there."""
+        return self._names[state]
+
+    def states(self) -> list[StateRow]:
+        """Return the states, those of the cycle first; of those at the same place one, with what makes a difference."""
+        places: dict[RestState | None, list[StateNode]] = {}
+        for node in self.exploration.nodes:
+            places.setdefault(without_memory(node.state), []).append(node)
+        cycle = {without_memory(state): None for state in self.exploration.world.cycle.states}
+        first = dict.fromkeys((None, *cycle, *places))
+        return [self.state(places[place], place in cycle) for place in first if place in places]
+
+    def state(self, nodes: Sequence[StateNode], is_in_cycle: bool) -> StateRow:
+        """Return a state with what leads on from it, but for handlers; `nodes` differ in what the program remembers."""
+        found: dict[Hashable, tuple[TransitionRow, list[StateNode]]] = {}
+        for node in nodes:
+            shown = [each for each in kept(node.transitions) if not self.handler(each)]
+            ways = [(self.way(each, shown), _once(each.does)) for each in shown]
+            ways += [(row, tuple(map(without_figures, row.then))) for row in self.refused(node)]
+            for row, does in ways:
+                first, its = found.setdefault((row.until, row.to, does), (row, []))
+                first.lines |= row.lines
+                its.append(node)
+        rows = list(found.values())
+        decides = [
+            self.deciding(
+                seen,
+                [
+                    each
+                    for other, its in rows
+                    if other is not row and other.until == row.until
+                    for each in its
+                ],
+            )
+            for row, seen in rows
+        ]
+        for (row, _), text in zip(rows, decides, strict=True):
+            row.until += f", with {text}" if text else ""
+        transitions = [row for row, _ in rows]
+        state = nodes[0].state
+        if state is None:
+            return StateRow("power-up", "", (), transitions, is_in_cycle)
+        reads = dict.fromkeys(
+            self.names[each] for node in nodes for each in self.exploration.reads(node.state or ())
+        )
+        statement = statements_of(self.unusual(state), self.structure)
+        lines = frozenset(self.structure.line(at) for place in self.unusual(state) for at in place.statements)
+        return StateRow(self.lines(state), statement, list(reads), transitions, is_in_cycle, lines)
+
+    def deciding(self, nodes: Iterable[StateNode], others: Iterable[StateNode]) -> str:
+        """Return the variable that some states have with other values than others, such as "good = 0"; "" for none."""
+        mine, theirs = (list(map(_memory, found)) for found in (nodes, others))
+        for number in mine[0] if theirs else ():
+            values = dict.fromkeys(each.get(number) for each in mine)
+            if not values.keys() & {each.get(number) for each in theirs}:
+                name = self.structure.variables.get(number, "?")
+                if any(each is True for each in values):  # a state remembers only if an answer is 0
+                    return f"{name} is not 0"
+                shown = (f"{each:.6g}" if isinstance(each, (bool, float)) else str(each) for each in values)
+                return f"{name} = {' or '.join(shown)}"
+        return ""
+
+    def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
+        to = "the end" if each.target is None else self.lines(each.target)
+        return TransitionRow(self.until(each, others), self.then(each), each.seconds, to, self.run(each))
+
+    def refused(self, node: StateNode) -> Iterator[TransitionRow]:
+        """Yield what happens with answers after which the program asks again; of the same several once."""
+        found: dict[tuple[str, ...], list[tuple[Change, ...]]] = {}
+        for causes, acts in node.refused.items():
+            words = tuple(without_figures(each.words) for each in acts)
+            found.setdefault(words, []).append(causes)
+        for same in found.values():
+            first = min(same, key=lambda causes: (len(causes), any(map(is_probe, causes))))
+            others = [one for causes in same for one in causes]
+            until = " and ".join(self.values(one, others) for one in first)
+            then = [self.names.of(act) for act in node.refused[first]]
+            yield TransitionRow(until, then, 0.0, "the same question")
+
+    def until(self, each: Transition, others: Sequence[Transition]) -> str:
+        """Return what leads on, with the other values that do the same, and with levels that make a difference."""
+        if not each.causes:
+            found = "by itself"
+        else:
+            given = [one for causes in each.variants for one in causes]
+            found = " and ".join(self.values(one, given) for one in each.causes)
+        levels, read = each.visit.levels, set(self.exploration.reads(each.target or ()))
+        differing: dict[str, None] = {}
+        for other in others:
+            if other is not each and other.causes == each.causes:
+                others_levels = other.visit.levels
+                differing |= dict.fromkeys(
+                    self.names.of(Change("input", channel, levels.get(channel, 0.0)))
+                    for channel in sorted({*levels, *others_levels})
+                    if f"input {channel}" in read | set(self.exploration.reads(other.target or ()))
+                    and levels.get(channel, 0.0) != others_levels.get(channel, 0.0)
+                )
+        return f"{found}, with {' and '.join(differing)}" if differing else found
+
+    def run(self, each: Transition) -> frozenset[int]:
+        """Return the lines that a transition runs; a line with commands does not run where its macro is defined."""
+        statements = self.structure.statements
+        return frozenset(
+            line
+            for at in each.begun
+            if (line := self.structure.line(at)) not in self._commanding
+            or not (at in statements and statements[at].is_silent)
+        )
+
+    def then(self, each: Transition) -> list[str]:
+        return [self.names.of(act) for act in each.acts]
+
+    def values(self, change: Change, others: Iterable[Change]) -> str:
+        """Return a change, with the other values of the same channel among some."""
+        same = (change.table, change.number, change.prompt)
+        values = dict.fromkeys(
+            str(one.value)
+            for one in others
+            if (one.table, one.number, one.prompt) == same and one != change and not is_probe(one)
+        )
+        return self.names.of(change) + (f" (or {', '.join(values)})" if values else "")
+
+    def handler(self, each: Transition) -> str:
+        """Return the handler that a change of a transition starts, "" for none; the state does not wait for it."""
+        reads = set(self.exploration.reads(each.source or ()))
+        subjects = {one.subject for one in each.causes} - reads
+        found = (unit for subject, unit in self.started.items() if subject in subjects)
+        return next(found, "") if each.is_cut else ""
+
+    def handlers(self) -> list[HandlerRow]:
+        """Return what handlers do: for each move that one meets the row in which most goes on, then the rest.
+
+        What is at rest, and the rest, is in the order of the states in which it is seen.
+        """
+        found: dict[Hashable, HandlerRow] = {}
+        for node in self.exploration.nodes:
+            for each in kept(node.transitions):
+                unit = self.handler(each)
+                if not unit:
+                    continue
+                start = " and ".join(map(self.names.of, each.causes))
+                acts = _after(each)
+                then = [self.names.of(act) for act in acts]
+                if each.target == node.state and not then:
+                    continue  # nothing is seen of it
+                to = "the end" if each.target is None else self.lines(each.target)
+                to = "the same state" if each.target == node.state else to
+                key = unit, start, to, tuple((act.subject, without_figures(act.words)) for act in acts)
+                meets = max(change.moment.line for change in each.causes)
+                row = found.setdefault(key, HandlerRow(unit, start, then, {}, to, meets, self.run(each)))
+                row.states[self.lines(node.state)] = None
+        rows = sorted(
+            found.values(), key=lambda each: (-len(each.states), each.unit, len(each.start), each.start)
+        )
+        first: dict[tuple[str, int], HandlerRow] = {}
+        for row in rows:
+            known = first.setdefault((row.unit, row.meets), row)
+            if row.meets and len(row.then) > len(known.then):
+                first[row.unit, row.meets] = row
+        return [*first.values(), *(row for row in rows if row is not first[row.unit, row.meets])]
+
+    def choices(self) -> list[ChoiceRow]:
+        """Return the keys, answers and numbers of a host with which lines move an axis that no transition runs."""
+        exploration = self.exploration
+        moved = {line for node in exploration.nodes for each in node.transitions for line in each.lines}
+        found = []
+        for cycle, trial in exploration.variants():
+            lines = {each.line for each in trial.moves}
+            if lines <= moved:
+                continue
+            moved |= lines
+            for each in cycle.transitions:
+                if each.causes in each.variants:
+                    acts = [self.names.of(act) for act in exploration.acts(trial, cycle.visit.time)]
+                    instead = " and ".join(map(self.names.of, each.causes))
+                    found.append(ChoiceRow(instead, self.lines(each.source), acts))
+        return found
+
+
+def _once(does: Effect) -> Hashable:
+    """Return what a transition does, with a move of a line once: a homing has as many phases as it takes."""
+    return does._replace(moves=tuple(dict.fromkeys(does.moves)))
+
+
+def _usual(states: Sequence[RestState | None]) -> RestState:
+    """Return where tasks rest in more than half of the states, of a machine with several tasks."""
+    places = Counter(each for state in states if state is not None for each in without_memory(state) or ())
+    return tuple(each for each, count in places.items() if len(states) > 2 and 2 * count > len(states))
+
+
+def _memory(node: StateNode) -> dict[int, object]:
+    """Return the values of the variables that a program remembers in a state, by their numbers."""
+    return dict(pair for place in node.state or () for pair in place.memory)
+
+
+def _after(each: Transition) -> list[Act]:
+    """Return what happens from the last change of a transition on, and before it the move that it meets."""
+    last = max(each.causes, key=lambda change: change.moment.delay)
+    time = each.visit.change_time + last.moment.delay
+    before = [act for act in each.acts if act.time < time and act.subject == f"axis {last.moment.axis}"]
+    return [*before[-1:], *(act for act in each.acts if act.time >= time)]
+
+
+def kept(transitions: Iterable[Transition]) -> list[Transition]:
+    """Return the transitions with fewer changes first, without those that happen by fewer changes, or none, as well."""
+    given = sorted(transitions, key=lambda each: len(each.causes))
+    return [each for each in given if not any(_replaces(other, each) for other in given)]
+
+
+def _replaces(other: Transition, each: Transition) -> bool:
+    """True if the same happens by fewer changes, or by itself before the changes make a difference."""
+    if other.target != each.target or not set(other.causes) < set(each.causes):
+        return False
+    if other.does == each.does:
+        return True
+    waited = each.visit.change_time - each.visit.time
+    return (
+        not other.causes
+        and other.lines == each.lines
+        and abs(other.seconds - each.seconds - waited) < SHORTEST
+    )
+
+
+# ------------------------------------------------------------------------------------------------------- the cycle
+
+
+def _cycle_rows(
+    exploration: Exploration, structure: Structure, names: ReaderNames, begin: float, end: float
+) -> Iterator[CycleRow]:
+    """Yield what happens between two times in the run of a cycle, but for the tasks beside the work."""
+    run, beside = exploration.world.run, exploration.beside
+    log, line, homes = run.machine.log, structure.line, run.dialect.table().homes
+    within = partial(_is_within, begin=begin, end=end)
+    inputs = entries(exploration.world.settings, "input")
+    # What comes and goes by itself is none of the work.
+    periodic = {each["channel"] for each in inputs if "every" in each}
+    for each in log.inputs:
+        if within(each.time) and each.channel not in periodic:
+            level = "on" if each.value else "off"
+            yield CycleRow(each.time - begin, 0, f"{names[f'input {each.channel}']} {level}")
+    for wait in log.waits.written():
+        seconds = wait.until - wait.since
+        statement = structure.statements.get(wait.at)
+        is_condition = statement is not None and wait.cause == "condition" and statement.waits
+        cause = statement.waits if statement is not None and is_condition else wait.cause
+        if wait.at not in beside and within(wait.since) and cause != "axis" and SHORTEST <= seconds < inf:
+            what = "waits" if cause == "time" else f"waits for {CAUSES[cause]}"
+            yield CycleRow(wait.since - begin, line(wait.at), what, seconds)
+    for move in log.moves:
+        if within(move.start_time) and move.profile is not None:
+            is_homing = homes(move.command)
+            start = "" if is_homing else f"from {move.to_user(move.profile.start):.6g} "
+            words = f"{names[f'axis {move.axis}']} {start}{described(move, is_homing)}"
+            seconds = move.profile.duration
+            yield CycleRow(move.start_time - begin, move.line, words, None if seconds == inf else seconds)
+    for output in log.outputs:
+        if output.at not in beside and within(output.time):
+            level = "on" if output.value else "off"
+            yield CycleRow(
+                output.time - begin, line(output.at), f"{names[f'output {output.channel}']} {level}"
+            )
+    for print_ in log.prints:
+        if print_.at not in beside and within(print_.time):
+            yield CycleRow(print_.time - begin, line(print_.at), f"prints {plain(print_.text)!r}")
+
+
+def _ending(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[str]:
+    """Return what happens behind the last move of a run that ends by itself and has a cycle."""
+    run = exploration.world.run
+    moves = run.machine.log.moves
+    if run.status != "ended" or run.cycle is None:
+        return []
+    last = max(each.start_time for each in moves)
+    found = sorted(_cycle_rows(exploration, structure, names, last, run.time + 1.0), key=attrgetter("time"))
+    return [each.what for each in found if each.seconds is None]
+
+
+def _joined(cycle_rows: Iterable[CycleRow]) -> list[CycleRow]:
+    """Return what happens with the waits of a loop in which nothing else happens as one."""
+    found: list[CycleRow] = []
+    for each in cycle_rows:
+        last = found[-1] if found else None
+        if (
+            last is not None
+            and each.seconds
+            and last.seconds
+            and (each.line, each.what) == (last.line, last.what)
+        ):
+            last.seconds = each.time + each.seconds - last.time
+        else:
+            found.append(each)
+    return found
+
+
+def _is_within(time: float, begin: float, end: float) -> bool:
+    return begin - 1e-9 <= time < end - 1e-9
+
+
+# ------------------------------------------------------------------------------------------------- what never ran
+
+
+def never_run(exploration: Exploration, structure: Structure) -> Iterator[UnreachedRow]:
+    """Yield the lines that something leads to and that no trial of an exploration has carried out."""
+    points, statements, counted = structure.points, structure.statements, set(exploration.program.offsets)
+    begun = exploration.begun
+    why: dict[int, str] = {}
+    for unit in structure.units:
+        why |= dict.fromkeys(_first(structure, counted, unit.entry), unit.title)
+    for point in points:
+        statement = statements.get(point.at)
+        if point.at in begun and statement is not None and point.branches:
+            condition = statement.condition or statement.text
+            for side, following in enumerate(point.next):
+                text = f"line {statement.line}: {'unless' if side else 'if'} {condition}"
+                for at in _first(structure, counted, following):
+                    why.setdefault(at, text)
+    reached = Reachability(structure).reached
+    found: UnreachedRow | None = None
+    for at in sorted(counted.intersection(reached) - begun):
+        line, reason = structure.line(at), why.get(at, "")
+        if found is not None and not reason and line <= found.last + 1:
+            found.last = line
+            continue
+        if found is not None:
+            yield found
+        found = UnreachedRow(line, line, statements[at].text, reason)
+    if found is not None:
+        yield found
+
+
+def _first(structure: Structure, counted: Collection[int], start: int) -> Iterator[int]:
+    """Yield the offsets of the first statements from a point on."""
+    points, seen, stack = structure.points, set[int](), [start]
+    while stack:
+        p = stack.pop()
+        if p in seen:
+            continue
+        seen.add(p)
+        if points[p].at in counted:
+            yield points[p].at
+        else:
+            stack += points[p].next

@@ -1,0 +1,189 @@
+"""Cautions before a program is changed: what starts the cycle, what cuts off moves, alarms, endless waits.
+
+An input cuts off a move if the exploration has seen it: the input changed in the middle of the move. A wait has no
+time-out if nothing came by itself while it lasted.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+
+from motionlang.kernel.lang import WRITE, Statement, Structure
+from motionlang.kernel.tools import ranges
+from motionlang_explore.exploration import (
+    Change,
+    Exploration,
+    RestState,
+    Transition,
+    entries,
+    is_wrong,
+    without_memory,
+)
+from motionlang_explore.map.names import ReaderNames, is_alarm
+from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
+
+_TEXT = re.compile(r'"([^"]*)"')
+_AFTER = re.compile(r"[\d.]+ s ")
+_OFF = ("0", "_off", "_false")
+_NAME = re.compile(r"[A-Za-z_]\w*")
+
+
+@dataclass(eq=False, slots=True)
+class CautionRow:
+    """A caution: its kind, the channel or "waits", and what it does, with its lines in words."""
+
+    kind: str
+    what: str
+    why: str
+
+
+def cautions(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[CautionRow]:
+    """Return the cautions of a machine."""
+    reasons = Reasons(structure, names, exploration.world.run.controller.inputs.active_low)
+    rows = list(_start(exploration, names))
+    rows += [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
+    rows += _alarms(exploration, structure, names, reasons)
+    waits = {
+        structure.line(at)
+        for node in exploration.nodes
+        if node.state is not None and all(each.causes for each in node.transitions)
+        for place in node.state
+        for at in place.statements
+        if at in node.reads
+    }
+    return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
+
+
+def _ways(exploration: Exploration, *begin: RestState | None) -> dict[RestState | None, list[Transition]]:
+    """Return the states that follow some states, each with the shortest way there, by the fewest changes first."""
+    nodes = {node.state: node for node in exploration.nodes}
+    found, queue = {state: list[Transition]() for state in begin}, list(begin)
+    for state in queue:
+        for each in sorted(
+            nodes[state].transitions if state in nodes else (), key=lambda way: len(way.causes)
+        ):
+            if each.target is not None and each.target not in found:
+                found[each.target] = [*found[state], each]
+                queue.append(each.target)
+    return found
+
+
+def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
+    """Yield the changes from the state to which the machine returns to the first move of its cycle."""
+    cycle, ways = exploration.world.cycle, _ways(exploration, None)
+    back = {without_memory(state) for state in _ways(exploration, *cycle.states)}
+    firsts = (
+        each
+        for node in sorted(
+            (node for node in exploration.nodes if node.state in ways), key=lambda node: len(ways[node.state])
+        )
+        for each in sorted(node.transitions, key=lambda way: len(way.causes))
+        if each.work & (cycle.work or each.work)
+    )
+    first = next(firsts, None)
+    if first is None:
+        return
+    path = [*ways[first.source], first]
+    begin = next((k for k, each in enumerate(path) if without_memory(each.source) in back), 0)
+    steps = [" and ".join(map(names.of, each.causes)) for each in path[begin:] if each.causes]
+    what = ", then ".join(steps) or "power-up"
+    given = entries(exploration.world.settings, "input")
+    always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
+    held = [int(one.number) for each in path for one in each.causes if one.subject in always]
+    why = f"; input{'s' if len(set(held)) > 1 else ''} {ranges(set(held))} may stay on" if held else ""
+    changed = {one.subject for each in path for one in each.causes}
+    others = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
+    why += f"; played with {', '.join(others)} on" if others else ""
+    yield CautionRow(
+        "starts", what, f"start{'s' if ' and ' not in what and len(steps) < 2 else ''} the cycle{why}"
+    )
+
+
+def _alarms(
+    exploration: Exploration, structure: Structure, names: ReaderNames, reasons: Reasons
+) -> Iterator[CautionRow]:
+    """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
+    found: dict[tuple[bool, object], tuple[dict[str, None], list[str], list[Statement]]] = {}
+    for each in (each for at, each in sorted(structure.statements.items()) if reasons.knows(at)):
+        written = [use for use in each.channels if use.access == WRITE]
+        causes = reasons.of(each.at) or [
+            Reason(f"`{use.value}`", each.line) for use in written if " " in use.value
+        ]
+        lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
+        is_on = any(use.value.lower() not in _OFF for use in written)
+        is_question = any(use.channel == "answer" for use in each.channels)
+        texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
+        shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
+        values = next((known for one in shown if len(known := reasons.values(one)) > 1), {})
+        is_number = bool(values) and any(map(is_alarm, (*shown, *texts)))
+        values = values if is_number else {}  # a step or a count in a text is no number of an alarm
+        is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
+        is_left = is_told and each.at not in exploration.world.cycle.begun
+        is_trouble = is_number or bool(lamps) or is_wrong(" ".join(texts))
+        causes = causes or (reasons.waited(each.at) if is_trouble else [])
+        if texts and (is_trouble or is_left):
+            what = [repr(" ... ".join(texts) + " ..." * bool(values))]
+        else:
+            hosts = [names[f"{use.channel} {use.number}"] for use in written if is_number]
+            what = lamps if lamps and is_on else hosts
+        if what:
+            by = [one for known in values.values() for one in known] or causes
+            key = frozenset(one.text for one in by) or tuple(what)
+            row = found.setdefault((not is_trouble, key), ({}, [], []))
+            row[0].update(dict.fromkeys(what))
+            why = "; ".join(f"{value}: {_by(known)}" for value, known in values.items())
+            row[1].append(f"with {why}" if values else _by(causes))
+            row[2].append(each)
+    for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
+        ends = next(filter(None, (reasons.ends(each.at) for each in signs)), [])
+        played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
+        back = f"; ends by {', then '.join(each.text for each in ends)}" if ends else ""
+        why = max(whys, key=lambda text: text.startswith("with "))
+        verb = (
+            ("are printed" if len(told) > 1 else "is printed")
+            if is_only_said
+            else "come" + "s" * (len(told) < 2)
+        )
+        yield CautionRow(
+            "said" if is_only_said else "alarm", " and ".join(told), f"{verb} {why}{played}{back}"
+        )
+
+
+def _by(reasons: Sequence[Reason]) -> str:
+    """Return some reasons in words, those with the same words once with all their lines."""
+    lines: dict[str, set[int]] = defaultdict(set)
+    for each in reasons:
+        lines[each.words].add(each.line)
+    texts = [f"{words}, {_lines(at)}" if any(at) else words for words, at in lines.items()]
+    text = " or ".join(texts[:MAX_REASONS] + ["others"] * (len(texts) > MAX_REASONS))
+    after = (
+        "" if _AFTER.match(text) or text.startswith("without ") else "after " if text[:1].isdigit() else "by "
+    )
+    return f"{after}{text}" if text else "by a condition that is not known"
+
+
+def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:
+    """Yield the changes that cut off moves, each with the lines of these moves and the handler that it starts."""
+    units = {
+        f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
+    }
+    cut_off = exploration.cut_off()
+    channels: dict[str, list[Change]] = defaultdict(list)
+    for one in sorted(cut_off, key=lambda each: (each.table, each.number, each.value)):
+        channels[one.subject].append(one)
+    found: dict[str, list[str]] = defaultdict(list)
+    for subject, (first, *others) in channels.items():
+        cuts = [f"cuts off moves of {_lines(cut_off[first])}"]
+        cuts += [
+            f"{names.of(one).removeprefix(names[subject]).strip()} those of {_lines(cut_off[one])}"
+            for one in others
+        ]
+        found[", ".join(cuts) + (f" by {units[subject]}" if subject in units else "")].append(names.of(first))
+    yield from ((" or ".join(changes), cuts) for cuts, changes in found.items())
+
+
+def _lines(lines: Collection[int]) -> str:
+    return f"line{'s' if len(lines) > 1 else ''} {ranges(lines)}"

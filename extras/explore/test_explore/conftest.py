@@ -1,0 +1,3 @@
+"""The cell of the tests."""
+
+from tests.cell import cell  # noqa: F401
