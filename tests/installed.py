@@ -45,9 +45,6 @@ trace move.mnt move.parquet [parquet]
 plot move.mnt move.html
 plot move.mnt move.png [plot]
 check move.mnt
-map move.mnt
-cover move.mnt
-improve move.mnt --set axis.0.limits.speed=60 --set axis.0.limits.acceleration=600
 repl move.mnt
 plan --distance 10 --time 1 --rule third
 help SPEED

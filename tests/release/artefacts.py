@@ -24,6 +24,7 @@ PROGRAM = ROOT / "scripts" / "mint" / "ballscrew.mnt"
 PRINTED = "the nut is at 200.0000 mm"
 # A use of each distribution in extras, and what it prints.
 USES = {
+    "explore": ("cover scripts/mint/ballscrew.mnt", "100 %"),
     "copley": ("copley stream --scurve 1000 --time 100", "move ended at 1000"),
     "lsp": ("lsp --help", "--tcp HOST:PORT"),
     "mcapi": ("mcapi replay extras/mcapi/test_mcapi/stage.mcapi-log", "0 differences"),
@@ -174,13 +175,14 @@ def extras(folder: Path, wheel: Path) -> Iterator[Row]:
 
 def program(folder: Path, wheel: Path) -> Iterator[Row]:
     """Build the program for people without Python, one folder in an archive, and use every command of it."""
-    server = next(folder.glob("motionlang_lsp-*.whl"))
-    programs = environment(folder / "program-env", wheel, server, "pyinstaller>=6.11")
+    others = [next(folder.glob(f"motionlang_{name}-*.whl")) for name in ("explore", "lsp")]
+    programs = environment(folder / "program-env", wheel, *others, "pyinstaller>=6.11")
     (folder / "entry.py").write_text(ENTRY, encoding="utf-8")
     call(
         programs / "pyinstaller", "--noconfirm", "--log-level", "ERROR", "--name", "motionlang", "--onedir",
         "--collect-data", "motionlang", "--collect-submodules", "motionlang", "--distpath", "program",
         "--copy-metadata", "motionlang-lsp", "--collect-submodules", "motionlang_lsp",
+        "--copy-metadata", "motionlang-explore", "--collect-all", "motionlang_explore",
         "--exclude-module", "setuptools", "entry.py", folder=folder,
     )  # fmt: skip
     built = folder / "program" / "motionlang"
@@ -189,14 +191,14 @@ def program(folder: Path, wheel: Path) -> Iterator[Row]:
     work.mkdir()
     write_files(work)
     uses = [use for use, extra in needed().items() if not extra]
-    for use in [*uses, "sweep move.mnt --vary axis.0.start=1,2 --jobs 2", "lsp --help"]:
+    for use in [*uses, "sweep move.mnt --vary axis.0.start=1,2 --jobs 2", "map move.mnt", "lsp --help"]:
         call(executable, *use.split(), folder=work)
     system, machine = platform.system().lower(), platform.machine().lower()
     kind = "zip" if os.name == "nt" else "gztar"
     packed = shutil.make_archive(
         str(folder / f"motionlang-{__version__}-{system}-{machine}"), kind, built.parent, "motionlang"
     )
-    check = f"{len(uses) + 2} uses; {megabytes(built):.0f} MB unpacked"
+    check = f"{len(uses) + 3} uses; {megabytes(built):.0f} MB unpacked"
     yield Row(Path(packed).name, check, megabytes(Path(packed)), start_time(executable))
 
 
