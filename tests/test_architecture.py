@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import cache
 from pathlib import Path
 
+import grimp
 import pytest
 
 from tests.cases import cases
@@ -211,6 +212,21 @@ def roots() -> tuple[Path, ...]:
 @cases("named", sorted(set(re.findall(r"`([\w/.]+(?:\.py|\.md|/))`", "\n".join(PAGES)))))
 def test_the_pages_about_the_architecture_name_what_there_is(named: str) -> None:
     assert any((root / named).exists() for root in roots()), f"the pages about the architecture name {named}"
+
+
+def test_the_page_of_the_architecture_says_what_each_package_uses() -> None:
+    page = (ROOT / "docs" / "contributing" / "architecture.md").read_text(encoding="utf-8")
+    rows = re.findall(
+        r"^\| `(\w+)(?:/|\.py)` \| [^|]* \| ([^|]*) \|", page.partition("## Inside")[0], re.MULTILINE
+    )
+    graph = grimp.build_graph("motionlang", exclude_type_checking_imports=True)
+    used: dict[str, set[str]] = {name: set() for name, _ in rows}
+    for module in graph.modules:
+        for other in graph.find_modules_directly_imported_by(module):
+            here, there = (each.split(".")[1] if "." in each else "" for each in (module, other))
+            if here in used and there not in ("", here):
+                used[here].add(there)
+    assert {name: set() if text == "–" else set(text.split(", ")) for name, text in rows} == used
 
 
 def is_whole(node: ast.expr) -> bool:

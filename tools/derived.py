@@ -32,6 +32,7 @@ GROUPS: tuple[tuple[str, ...], ...] = (
         "tools.vscode_grammars:files",
         "tools.stages_page:files",
         "tools.kernel_names:files",
+        "tools.seam:files",
         "tools.highlight_tables:files",
     ),
 )
