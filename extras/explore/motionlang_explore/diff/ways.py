@@ -470,7 +470,7 @@ class _Comparison:
         found = self.found
         note_played(self._texts, (a, b), result)
         found.played += 1
-        alone = self._alone(way, a, b)
+        alone = self._alone(way, timelines, a, b)
         if result.differences and alone:
             found.only[alone] += 1
         elif result.differences:
@@ -525,10 +525,12 @@ class _Comparison:
             found.one_sided[side] = text.one_sided
             found.hidden[side] = text.hidden
 
-    def _alone(self, way: Way, a: PlayedWay, b: PlayedWay) -> str:
+    def _alone(self, way: Way, timelines: tuple[Timeline, Timeline], a: PlayedWay, b: PlayedWay) -> str:
         """Return "A" or "B" if only that program goes on after the last change of a way; "" if both do."""
-        last = way.timeline[-1][0] if way.timeline else inf
-        goes_on = [any(each.begin >= last for each in one.ordered) or one.status != "waits" for one in (a, b)]
+        goes_on = [
+            one.status != "waits" or any(each.begin >= timeline[-1][0] for each in one.ordered if timeline)
+            for one, timeline in zip((a, b), timelines, strict=True)
+        ]
         if way.of in ("A", "B") and goes_on == [way.of == "A", way.of == "B"]:
             return way.of
         return ""
