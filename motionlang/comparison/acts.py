@@ -9,7 +9,7 @@ tolerance of the user.
 from __future__ import annotations
 
 import re
-from collections import defaultdict, deque
+from collections import Counter, defaultdict, deque
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from math import inf
 from typing import NamedTuple
@@ -70,6 +70,11 @@ class ComparedAct(NamedTuple):
             return self.subject, self.words, self.place
         target = None if self.is_cut or self.target is None else _rounded(self.target)
         return self.subject, self.exact, target, _rounded(self.speed)
+
+    @property
+    def content(self) -> tuple[object, ...]:
+        """The part by which acts are aligned: of a printed line or a value, all but the figures."""
+        return self.key if self.exact or self.is_switch else (*self.kind, self.place)
 
     @property
     def kind(self) -> tuple[str, str]:
@@ -270,7 +275,10 @@ def compared(a: PlayedWay, b: PlayedWay, tolerance: Tolerance = IN_WAYS) -> Comp
     if not found:
         # An axis whose moves the end of the way has cut off may be anywhere.
         far = drift | {each.subject: inf for each in undecided if each.subject.startswith("axis ")}
-        found += _ends(a, b, tolerance, {int(axis.split()[1]): counts for axis, counts in far.items()})
+        found += _ends(
+            a, b, tolerance, {int(axis.split()[1]): counts for axis, counts in far.items()}, undecided
+        )
+        later += _later_end(a, b, pairs) if tolerance is IN_WAYS else ()
     return ComparedActs(found, later, pairs, undecided)
 
 
@@ -285,11 +293,12 @@ def _task(
     drift: dict[str, float],
 ) -> list[tuple[ComparedAct, ComparedAct]]:
     pairs: list[tuple[ComparedAct, ComparedAct]] = []
+    hunks: list[list[Row]] = []
     hunk: list[Row] = []
     lags = [0.0]
     rows: list[Row] = [
         (None if i is None else mine[i], None if j is None else others[j])
-        for i, j in aligned(mine, others, lambda each: each.key, lambda each: each.kind)  # type: ignore[attr-defined]
+        for i, j in aligned(mine, others, lambda each: each.content, lambda each: each.kind)  # type: ignore[attr-defined]
     ]
     for k, (one, other) in enumerate([*rows, (None, None)]):
         is_end = one is None and other is None
@@ -306,13 +315,44 @@ def _task(
             continue
         if hunk:
             last = pairs[-1] if pairs else None
-            _add(found, [*_overdue(hunk, last, ways, undecided)] if is_end else hunk)
+            hunks.append([*_overdue(hunk, last, ways, undecided)] if is_end else hunk)
             hunk = []
         if one is not None and other is not None:
             lags.append(other.end - one.end)
             pairs.append((one, other))
+    for each in _without_late(hunks, ways, later):
+        _add(found, each)
     _times(pairs, ways, tolerance, later)
     return pairs
+
+
+def _without_late(
+    hunks: Sequence[Sequence[Row]], ways: tuple[PlayedWay, PlayedWay], later: list[Later]
+) -> Iterator[Sequence[Row]]:
+    """Yield differences without the acts that both sides do, as often, at other times: those are `later`."""
+    missing: tuple[list[ComparedAct], list[ComparedAct]] = [], []
+    for hunk in hunks:
+        sides = [side for side in (0, 1) if any(row[side] is not None for row in hunk)]
+        if len(sides) == 1:
+            missing[sides[0]].extend(act for row in hunk if (act := row[sides[0]]) is not None)
+    counts = [Counter(act.key for act in some) for some in missing]
+    late = {key for key, count in counts[0].items() if count == counts[1][key]}
+    moved: list[list[ComparedAct]] = [[act for act in some if act.key in late] for some in missing]
+    left: dict[object, deque[ComparedAct]] = defaultdict(deque)
+    for act in moved[1]:
+        left[act.key].append(act)
+    for act in moved[0]:
+        other = left[act.key].popleft()
+        later.append(Later(act, other, other.begin - act.begin - _shift(ways, act.begin), False))
+    gone = {id(act) for some in moved for act in some}
+    yield from ([row for row in hunk if not any(id(act) in gone for act in row)] for hunk in hunks)
+
+
+def _shift(ways: tuple[PlayedWay, PlayedWay], time: float) -> float:
+    """Return by how much the last change of the world up to a time comes later in the second way."""
+    changes = zip(*(each.changes for each in ways), strict=False)
+    last: tuple[float, float] = max((each for each in changes if each[0] <= time), default=(0.0, 0.0))
+    return last[1] - last[0]
 
 
 def _overdue(
@@ -362,19 +402,24 @@ def _times(
     tolerance: Tolerance,
     later: list[Later],
 ) -> None:
-    """Add what takes longer, or comes later behind the act, the change of the world or the end of a move before it."""
-    lag, before = 0.0, 0.0
+    """Add what takes longer, or comes later behind the act, the change of the world or the end of a move before it.
+
+    An act that comes when it did is not earlier because what is before it is later.
+    """
+    lag, before, shift = 0.0, 0.0, 0.0
     ends: list[tuple[float, float]] = []
     changes = deque(zip(*(each.changes for each in ways), strict=False))
     for one, other in pairs:
         ends = [each for each in ends if each[0] >= before]
         while changes and changes[0][0] <= one.begin:
             at, in_b = changes.popleft()
-            ends.append((at, in_b - at))
+            shift = in_b - at
+            ends.append((at, shift))
         causes = [lag, *(late for ended, late in ends if ended <= one.begin + WITHIN)]
         lag, before = other.begin - one.begin, one.begin
         wait = min((lag - each for each in causes), key=abs)
-        if abs(wait) > tolerance.of("time", one.begin, other.begin):
+        least = tolerance.of("time", one.begin, other.begin)
+        if abs(wait) > least and abs(lag - shift) > least and wait * (lag - shift) > 0.0:
             later.append(Later(one, other, wait, False))
         spans = one.end - one.begin, other.end - other.begin
         lasts = spans[1] - spans[0]
@@ -433,10 +478,16 @@ def _add(found: list[ActDifference], hunk: Sequence[Row]) -> None:
 
 
 def _ends(
-    a: PlayedWay, b: PlayedWay, tolerance: Tolerance, drift: Mapping[int, float]
+    a: PlayedWay,
+    b: PlayedWay,
+    tolerance: Tolerance,
+    drift: Mapping[int, float],
+    undecided: Sequence[ComparedAct],
 ) -> Iterator[ActDifference]:
     if a.status != b.status:
-        yield ActDifference((), (), (_end(a), _end(b)))
+        # A program that may still do what the other one has done may end as that did.
+        if not undecided or "waits" not in (a.status, b.status):
+            yield ActDifference((), (), (_end(a), _end(b)))
     elif a.status == "waits" and a.is_at_rest and b.is_at_rest:
         for axis in sorted(a.places.keys() & b.places.keys()):
             (counts, place), (other_counts, other) = a.places[axis], b.places[axis]
@@ -445,6 +496,23 @@ def _ends(
                 yield ActDifference(
                     (), (), (f"axis {axis} rests at {place:.6g}", f"axis {axis} rests at {other:.6g}")
                 )
+
+
+def _later_end(
+    a: PlayedWay, b: PlayedWay, pairs: Sequence[tuple[ComparedAct, ComparedAct]]
+) -> Iterator[Later]:
+    """Yield how much later the second program ends behind the last that both do."""
+    if (a.status, b.status) == ("ended", "ended"):
+        last = max(pairs, key=lambda pair: pair[0].end, default=None)
+        lags = (
+            [0.0]
+            if last is None
+            else [_shift((a, b), a.time), last[1].begin - last[0].begin, last[1].end - last[0].end]
+        )
+        wait = min((b.time - a.time - lag for lag in lags), key=abs)
+        if abs(wait) > WITHIN:
+            one, other = (ComparedAct(each.time, each.time, 0, "the end", "") for each in (a, b))
+            yield Later(one, other, wait, False)
 
 
 def _end(way: PlayedWay) -> str:

@@ -73,6 +73,7 @@ def _lists(run: Run) -> dict[str, Iterator[Row]]:
     """Return the rows of all lists but the moves, which are read one by one."""
     log, line = run.machine.log, _lines(run)
     return {
+        "printed": ({"time": each.time, "line": line(each.at)} for each in log.prints),
         "switched": (_switched(each, line) for each in log.outputs),
         "analogue_outputs": (_switched(each, line) for each in log.analogue_outputs),
         "written": (
@@ -106,7 +107,7 @@ def failure(program: str, dialect: str, diagnostics: Iterable[Diagnostic], statu
     head |= {"time": 0.0, "output": []}
     tail: Row = {"axes": [], "diagnostics": [d.as_dict() for d in diagnostics], "notes": []}
     tail |= {"cycle": None, "assumptions": []}
-    lists = ("moves", "switched", "analogue_outputs", "written", "events")
+    lists = ("moves", "printed", "switched", "analogue_outputs", "written", "events")
     return "".join(_document(head, {name: iter(()) for name in lists}, tail))
 
 

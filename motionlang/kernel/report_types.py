@@ -162,6 +162,13 @@ class ReportPhase(TypedDict):
     distance: float
 
 
+class ReportPrinted(TypedDict):
+    """The object `printed` of the schema."""
+
+    time: float
+    line: int
+
+
 class ReportQuantity(TypedDict):
     """The object `quantity` of the schema."""
 
@@ -236,6 +243,8 @@ class Report(dict[str, object]):
         def __getitem__(self, name: Literal["output"], /) -> list[str]: ...
         @overload
         def __getitem__(self, name: Literal["moves"], /) -> list[ReportMove]: ...
+        @overload
+        def __getitem__(self, name: Literal["printed"], /) -> list[ReportPrinted]: ...
         @overload
         def __getitem__(self, name: Literal["switched"], /) -> list[ReportSwitched]: ...
         @overload

@@ -7,7 +7,7 @@ Python version: the builtin `sum` rounds differently from Python 3.12 on.
 from __future__ import annotations
 
 from _thread import allocate_lock
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from difflib import get_close_matches
 from importlib import import_module
 from math import fsum
@@ -167,6 +167,11 @@ def ranges(numbers: Iterable[int]) -> str:
         else:
             found.append([each, each])
     return ", ".join(str(a) if a == b else f"{a}-{b}" if b > a + 1 else f"{a}, {b}" for a, b in found)
+
+
+def lines_words(lines: Collection[int]) -> str:
+    """Return lines in words, such as "line 4" or "lines 3-5, 8"; "" if there are none."""
+    return f"{'line' if len(lines) == 1 else 'lines'} {ranges(lines)}" if lines else ""
 
 
 def as_hint(description: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from motionlang.comparison.acts import ActDifference, ComparedAct, Later
 from motionlang.views.terminal import printable
@@ -68,3 +68,15 @@ def later_words(later: Later, times: int = 1, what: str = "ways") -> str:
 def _seconds(value: float) -> str:
     """Return a time with three decimals, a shorter one with three digits."""
     return f"{abs(value):.3f}" if abs(value) >= 1e-3 else f"{abs(value):.3g}"
+
+
+def grouped_words(differences: Iterable[ActDifference], later: Iterable[Later]) -> list[str]:
+    """Return the differences of two runs, those that share their lines and subjects once, with how often."""
+    groups: dict[object, list[ActDifference]] = {}
+    for each in differences:
+        groups.setdefault(each.key, []).append(each)
+    laters: dict[object, list[Later]] = {}
+    for late in later:
+        laters.setdefault((late.act.line, late.act.subject, late.lasts), []).append(late)
+    words = [difference_words(some[0], len(some), "times") for some in groups.values()]
+    return words + [later_words(every[0], len(every), "times") for every in laters.values()]

@@ -82,6 +82,7 @@ def test_the_page_names_every_field_in_the_order_of_the_schema() -> None:
         "dropped",
         "phase",
         "move_motor",
+        "printed",
         "switched",
         "written",
         "event",

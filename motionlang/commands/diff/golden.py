@@ -17,7 +17,7 @@ from motionlang.comparison.tolerance import Tolerance
 from motionlang.kernel import Run
 from motionlang.kernel.files import replacing
 from motionlang.kernel.report import SCHEMA, text
-from motionlang.views.differences import difference_words, later_words
+from motionlang.views.differences import grouped_words
 
 MAX_DIFFERENCES = 8
 # Fields that are no result: a program may get lines, and new assumptions.
@@ -26,7 +26,7 @@ EXACT = Tolerance()
 # Reports of these schemas have no outputs.
 OLD_SCHEMAS = ("motionlang.report/1", "motionlang.report/2")
 # The lists of a report whose rows are acts.
-ACTS = ("moves", "switched", "analogue_outputs", "written")
+ACTS = ("moves", "printed", "switched", "analogue_outputs", "written")
 
 
 def golden_files(program: str) -> tuple[str, str]:
@@ -43,7 +43,9 @@ def differences(program: str, result: Run) -> list[str]:
     report, printed = golden_files(program)
     with open(report, encoding="utf-8") as file:
         expected = json.load(file)
-    found = _words(expected, json.loads(text(result, whole=False)))
+    units = () if result.program is None else result.program.structure.units
+    has_tasks = any(each.kind in ("task", "event", "macro") for each in units)
+    found = _words(expected, json.loads(text(result, whole=False)), has_tasks)
     if os.path.exists(printed) or result.output:
         with open(printed, encoding="utf-8", newline="") as file:
             lines = file.read().replace("\r\n", "\n")  # which Git for Windows writes
@@ -84,7 +86,7 @@ def _lines(output: Sequence[str]) -> str:
     return "".join(line + "\n" for line in output)
 
 
-def _words(expected: Any, now: Mapping[str, Any]) -> list[str]:
+def _words(expected: Any, now: Mapping[str, Any], has_tasks: bool) -> list[str]:
     """Return the differences of two reports: what is done, then the figures that this does not show."""
     if not isinstance(expected, dict) or not str(expected.get("schema", "")).startswith("motionlang.report/"):
         raise ValueError("it is not a report of a run")
@@ -99,10 +101,10 @@ def _words(expected: Any, now: Mapping[str, Any]) -> list[str]:
     if not changed:
         return []
     try:
-        acts = compared(_way(expected), _way(now), EXACT)
+        acts = compared(_way(expected, has_tasks), _way(now, has_tasks), EXACT)
     except (KeyError, TypeError) as error:
         raise ValueError(f"its moves or events lack {error}") from None
-    lines = [difference_words(each) for each in acts.differences] + [later_words(each) for each in acts.later]
+    lines = grouped_words(acts.differences, acts.later)
     is_shown = tuple(f"{name}[" for name in ("output", *ACTS)) if lines else ()
     others = [path for path in changed if not path.startswith(is_shown)] if is_shown else changed
     lines += (f"{path}: {_shown(old.get(path))} → {_shown(new.get(path))}" for path in others)
@@ -110,13 +112,22 @@ def _words(expected: Any, now: Mapping[str, Any]) -> list[str]:
     return lines[:MAX_DIFFERENCES] + ([f"and {left} more"] if left > 0 else [])
 
 
-def _way(report: Mapping[str, Any]) -> PlayedWay:
-    """Return what a report says that a program did, in user units; printed lines have no time in it."""
-    acts = [ComparedAct(0.0, 0.0, 0, "", line) for line in report["output"]]
+def _way(report: Mapping[str, Any], has_tasks: bool) -> PlayedWay:
+    """Return what a report says that a program did, in user units.
+
+    It does not say which task did it, so if there may be several, the acts of each axis and output have their order.
+    """
+    printed = {k: (each["time"], each["line"]) for k, each in enumerate(report["printed"])}
+    acts = [
+        ComparedAct(time, time, at, "", text)
+        for k, text in enumerate(report["output"])
+        for time, at in [printed.get(k, (report["time"], 0))]
+    ]
     for each in report["moves"]:
         end = each.get("end")
         words = f"{each['command']}" + ("" if end is None else f" to {end:.6g}")
-        duration, ended = each["duration"] or 0.0, each.get("ended", "")
+        duration, ended, speed = each["duration"] or 0.0, each.get("ended", ""), each.get("peak_speed") or 0.0
+        words += f" at {speed:.6g}" if speed else ""
         acts.append(
             ComparedAct(
                 each["start_time"],
@@ -126,21 +137,26 @@ def _way(report: Mapping[str, Any]) -> PlayedWay:
                 words,
                 (each["command"], ended),
                 end,
-                each.get("peak_speed") or 0.0,
+                speed,
             )
         )
-    acts += (
-        switched(each["time"], each["line"], each["channel"], each["value"]) for each in report["switched"]
-    )
-    acts += (
-        written(each["time"], each["line"], f"analogue output {each['channel']}", each["value"])
-        for each in report["analogue_outputs"]
-    )
-    acts += (written(each["time"], each["line"], each["target"], each["value"]) for each in report["written"])
+    acts += (switched(*_fields(each, "channel")) for each in report["switched"])
+    for each in report["analogue_outputs"]:
+        time, at, channel, value = _fields(each, "channel")
+        acts.append(written(time, at, f"analogue output {channel}", value))
+    acts += (written(*_fields(each, "target")) for each in report["written"])
     acts += (occurred(each["time"], 0, each.get("axis"), each["kind"]) for each in report["events"])
-    acts.sort(key=lambda act: (bool(act.subject), act.begin))
+    acts.sort(key=lambda act: act.begin)
+    streams: dict[str, list[ComparedAct]] = {}
+    for act in acts:
+        streams.setdefault(act.subject if has_tasks else "", []).append(act)
     status, time = report["status"], report["time"]
-    return PlayedWay({"program": acts}, status, time, inf, {}, [], 0.0, frozenset(), frozenset(), {})
+    until = time if status == "until" else inf
+    return PlayedWay(streams, status, time, until, {}, [], 0.0, frozenset(), frozenset(), {})
+
+
+def _fields(row: Mapping[str, Any], name: str) -> tuple[float, int, Any, float]:
+    return row["time"], row["line"], row[name], row["value"]
 
 
 def _shown(value: object) -> str:

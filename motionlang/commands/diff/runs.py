@@ -24,7 +24,7 @@ from motionlang.comparison.acts import (
 )
 from motionlang.comparison.tolerance import Tolerance
 from motionlang.kernel import Run
-from motionlang.views.differences import difference_words, later_words
+from motionlang.views.differences import difference_words, grouped_words
 from motionlang.views.table import Column, Document, Table
 
 if TYPE_CHECKING:  # which needs numpy
@@ -129,14 +129,7 @@ def runs_text(found: RunsCompared, most: int = MAX_LINES) -> str:
         where = ", ".join(f"{_location(each)} {each.seconds:+.4f} s" for each in shares)
         change = f"{b - a:+.4f}" if abs(b - a) >= SHOWN else f"{b - a:+.2g}"
         lines.append(f"{name} {a:.6g} → {b:.6g} s, {change} s{f': {where}' if where else ''}")
-    differences: dict[object, list[ActDifference]] = defaultdict(list)
-    for each in found.differences:
-        differences[each.key].append(each)
-    laters: dict[object, list[Later]] = defaultdict(list)
-    for late in found.later:
-        laters[late.act.line, late.act.subject, late.lasts].append(late)
-    words = [difference_words(some[0], len(some), "times") for some in differences.values()]
-    words += [later_words(every[0], len(every), "times") for every in laters.values()]
+    words = grouped_words(found.differences, found.later)
     lines += _first(words, most)
     if found.apart is not None:
         far = found.apart

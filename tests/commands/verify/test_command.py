@@ -73,7 +73,8 @@ def test_a_line_that_is_put_in_is_no_difference_and_a_mistake_is_shown(cell: Cel
     ran = cell("verify", "pick.mnt")
     assert ran.status == 1
     assert (
-        "  A '700', then axis 0 MOVEA to 100 after 0.00 s, B does not\n  status: ended → fault\n" in ran.out
+        "  A axis 0 MOVEA to 100 at 200, then '700' after 0.00 s, B does not (line 2 of A)\n  status: ended → fault\n"
+        in ran.out
     )
     assert "pick.mnt:1:18" in ran.err
 

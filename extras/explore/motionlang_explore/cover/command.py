@@ -19,7 +19,7 @@ from motionlang.cli.readers import machine_time, real
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import STDIN, Diagnostic, ProgramError, Source, Terminated, language_of
 from motionlang.kernel.files import replacing
-from motionlang.kernel.tools import count_of, ranges
+from motionlang.kernel.tools import count_of, lines_words
 from motionlang.processes.parallel import in_parallel
 from motionlang.views.terminal import table_width, wants_colour
 from motionlang_explore.cover import Coverage, covered, worlds_of
@@ -153,10 +153,15 @@ examples:
         shares = " → ".join(f"{percentage([each]):.0f} %" for each in (was, found))
         text = f"{file}: {shares} with {count_of(len(scenarios), 'scenario')}\n"
         text += "".join(f"  {name}: {about}\n" for name, about in scenarios.items())
-        missed = ranges(found.missed)
-        if missed:
+        begun = {each.line for each in found.statements if each.count}
+        parts = {
+            "not reached": found.missed.keys() - begun,
+            "reached only in part": found.missed.keys() & begun,
+        }
+        text += "".join(f"  {words}: {lines_words(lines)}\n" for words, lines in parts.items() if lines)
+        if found.missed:
             more = "" if exploration.is_whole else ", and more could be tried: --seconds 60 plays on"
-            text += f"  not reached: lines {missed}\n  {count_of(exploration.trials, 'trial')} played{more}\n"
+            text += f"  {count_of(exploration.trials, 'trial')} played{more}\n"
         self.show(coverage_document([found]), text)
         return SIGNALS.status if ended else 0
 
@@ -164,8 +169,7 @@ examples:
         """Write the scenario of a world that was found; return what the file is about, by its name."""
         names = (f"{world.name}{'' if n == 1 else f'-{n}'}" for n in count(1))
         path = write_scenario(file, names, world.text)
-        lines = ranges(world.reaches)
-        return {path: f"reaches lines {lines}" if lines else "reaches more of some lines"}
+        return {path: f"reaches {lines_words(world.reaches) or 'more of some lines'}"}
 
     def _lines(self, found: Sequence[Coverage]) -> list[str]:
         colour = wants_colour(sys.stdout)

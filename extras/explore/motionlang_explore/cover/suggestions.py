@@ -18,7 +18,7 @@ from motionlang.comparison.texts import plain
 from motionlang.kernel import Run, Source, read_machine
 from motionlang.kernel.lang import layered, names_in_comments
 from motionlang.kernel.report import axes as axes_of
-from motionlang.kernel.tools import ranges
+from motionlang.kernel.tools import lines_words
 from motionlang_explore.cover import Coverage, coverage
 from motionlang_explore.cover.worlds import Event, Worlds
 from motionlang_explore.exploration import (
@@ -185,7 +185,7 @@ class Search:
             return None
         reaches = sorted(self.coverage.missed.keys() - found.missed.keys())
         program = self.exploration.program.source.name.rpartition("/")[2]
-        more = f"lines {ranges(reaches)}" if reaches else "more"
+        more = lines_words(reaches) or "more"
         about = f"A world of {program}, found by motionlang cover --suggest. It reaches {more}. {REVIEW}"
         for has_prints in (True, False):
             expected = [*_expected(played.result, has_prints)]

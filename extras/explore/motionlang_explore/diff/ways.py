@@ -21,7 +21,7 @@ ways. Ways beyond are named, and not compared.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby, islice, pairwise
 from math import ceil, inf, isclose
@@ -73,6 +73,10 @@ PATIENCE = 108.0
 # So many ways of few changes are played with long times between the changes, s, and with short ones, and so many worlds
 # of each program.
 PACED, SLOW, FAST, WORLDS = 20, 200.0, 0.05, 60
+# So many ways are played, whatever the explorations have cost.
+LEAST = 3
+# Times of a cycle that differ by less are the same, s.
+TICK = 1e-3
 # They take at most this share of the work.
 FURTHER = 0.3
 # A way with long times is played for so long after its last change, s.
@@ -313,7 +317,7 @@ def compared_ways(
     for k, way in enumerate(ways):
         spent = a.work + b.work - begun
         progress(min(spent / work, 1.0))
-        if spent >= work or is_enough(found):
+        if (spent >= work and k >= LEAST) or is_enough(found):
             found.left = ways[k:]
             break
         comparison.take(way)
@@ -506,7 +510,7 @@ class _Comparison:
                 slow.way, slow.later = way, later
         if way.cycle is not None and not result.differences and way.cycle.work not in self._cycles:
             self._cycles.add(way.cycle.work)
-            found.cycles += _cycle_time(way, result)
+            found.cycles += _cycle_time(way, a, b, result)
 
     @property
     def is_settled(self) -> bool:
@@ -596,16 +600,35 @@ def _behind(
     return max(stay[0], other.end) + time - max(stays[-1][0], one.end)
 
 
-def _cycle_time(way: Way, result: ComparedActs) -> Iterator[CycleTime]:
-    """Yield how long one turn of a cycle takes, if that differs."""
+def _cycle_time(way: Way, a: PlayedWay, b: PlayedWay, result: ComparedActs) -> Iterator[CycleTime]:
+    """Yield how long one turn of a cycle takes, if that differs by more than when the changes of the world came."""
     assert way.cycle is not None
+    work = [pair for pair in result.pairs if pair[0].line in way.cycle.work]
+    if not _is_slower(work, [*zip(a.changes, b.changes, strict=False)]):
+        return
     turns: dict[tuple[int, str], list[tuple[float, float]]] = defaultdict(list)
-    for one, other in result.pairs:
-        if one.line in way.cycle.work and one.subject.startswith("axis"):
+    for one, other in work:
+        if one.subject.startswith("axis"):
             turns[one.line, one.subject].append((one.begin, other.begin))
     often = max(turns.values(), key=len, default=[])
     if len(often) > 1:
         periods = sorted((x - w, y - v) for (w, v), (x, y) in pairwise(often))
-        a, b = periods[len(periods) // 2]
-        if abs(b - a) > 1e-3:
-            yield CycleTime(way, a, b)
+        old, new = periods[len(periods) // 2]
+        if abs(new - old) > TICK:
+            yield CycleTime(way, old, new)
+
+
+def _is_slower(
+    pairs: Sequence[tuple[ComparedAct, ComparedAct]], changes: Sequence[tuple[float, float]]
+) -> bool:
+    """True if an act takes another time, or comes at another time behind the act and the change before it."""
+    k, before = 0, (0.0, 0.0)
+    for one, other in pairs:
+        k = 0 if one.begin < before[0] else k  # the next task begins
+        while k < len(changes) and changes[k][0] <= one.begin:
+            k += 1
+        gaps = [(other.begin - y) - (one.begin - x) for x, y in (before, *changes[max(k - 1, 0) : k])]
+        if min(map(abs, gaps)) > TICK or abs((other.end - other.begin) - (one.end - one.begin)) > TICK:
+            return True
+        before = one.begin, other.begin
+    return False

@@ -8,7 +8,7 @@ from itertools import groupby
 from motionlang.commands.channels import channels_of
 from motionlang.comparison.acts import WITHIN
 from motionlang.kernel import dialect
-from motionlang.kernel.tools import count_of, ranges
+from motionlang.kernel.tools import count_of, lines_words, ranges
 from motionlang.views.differences import difference_words, later_words
 from motionlang.views.table import Column, Document, Table
 from motionlang.views.terminal import printable
@@ -112,11 +112,6 @@ def _of_sides(lines: Mapping[str, Sequence[int]]) -> str:
     return ", ".join(f"{lines_words(each)} of {side}" for side, each in (("A", a), ("B", b)) if each)
 
 
-def lines_words(lines: Sequence[int]) -> str:
-    """Return lines in words, "" if there are none."""
-    return f"{'line' if len(lines) == 1 else 'lines'} {ranges(lines)}" if lines else ""
-
-
 def _verb(count: int, verb: str) -> str:
     return f"{verb}s" if count == 1 else verb
 
@@ -157,9 +152,9 @@ def found_words(found: FoundDifference) -> str:
 
 def _cycle(each: CycleTime) -> str:
     assert each.way.cycle is not None
-    lines = ranges(each.way.cycle.work)
+    lines = lines_words(each.way.cycle.work)
     percent = 100.0 * (each.b - each.a) / each.a
-    return f"the cycle of lines {lines}: {each.a:.4g} → {each.b:.4g} s, {each.b - each.a:+.4f} s ({percent:+.2g} %)"
+    return f"the cycle of {lines}: {each.a:.4g} → {each.b:.4g} s, {each.b - each.a:+.4f} s ({percent:+.2g} %)"
 
 
 def ways_document(found: WaysCompared, names: Names) -> Document:

@@ -295,7 +295,7 @@ def test_suggested_scenarios_are_to_be_reviewed(cell: Cell) -> None:
         == """\
 line.prg: 22 % → 100 % with 2 scenarios
   line.scenarios/input-0-on-standby-lab.toml: reaches lines 4, 5, 7
-  line.scenarios/input-0-on-and-input-1-on-standby-lab.toml: reaches lines 6
+  line.scenarios/input-0-on-and-input-1-on-standby-lab.toml: reaches line 6
 """
     )
     assert (

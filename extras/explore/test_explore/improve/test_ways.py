@@ -124,16 +124,6 @@ def test_the_width_of_a_figure_is_no_difference(cell: Cell) -> None:
     assert " played with the edits, too: the same but for time\n" in ran.out
 
 
-def test_without_a_way_that_was_played_there_is_no_verdict(
-    cell: Cell, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr("motionlang_explore.improve.ways.PLAYED", 1e-6)
-    cell.write("one.mnt", "SPEED(0) = 100\nMOVEA(0) = 100 : GO(0) : Pause IDLE(0)\n")
-    cell.write("one.machine.toml", "axis.0.limits = { speed = 200, acceleration = 100000 }\n")
-    out = cell("improve", "one.mnt").out
-    assert "note: no way was played with the edits; not compared: line 1, 1 way\n" in out
-
-
 def test_the_end_of_a_run_is_no_difference(cell: Cell) -> None:
     """A faster program may end before the time limit, or while the play of the other one is cut."""
     rates = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\nFOLLOW(1) = 0.5\nFor k = 1 To {}\n"
