@@ -49,22 +49,6 @@ def test_a_time_profile() -> None:
         assert repr(getattr(sent, figures)()) == repr(getattr(profile, figures)())
 
 
-@pytest.mark.parametrize(
-    ("name", "text"), [("a.mnt", f"Loop\nPAUSE INX(1)\n{MOVE}End Loop\n"), ("a.mcl", "WN1,1MN,1MR9,1WS,RP")]
-)
-def test_an_exploration(name: str, text: str) -> None:
-    found = motionlang.explore(motionlang.Source(name, text))
-    sent = pickle.loads(pickle.dumps(found))
-    assert repr(sent.cycles) == repr(found.cycles)
-    assert (len(sent.nodes), sent.missed, sent.world.settings) == (
-        len(found.nodes),
-        found.missed,
-        found.world.settings,
-    )
-    assert sent.world.run.report == found.world.run.report
-    assert [repr(each) for each in sent.variants()] == [repr(each) for each in found.variants()]
-
-
 def test_a_table_without_moves_has_the_types_of_others() -> None:
     polars = pytest.importorskip("polars")
     texts = (MOVE, 'PRINT "nothing moves"\n')

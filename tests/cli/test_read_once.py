@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,25 @@ from tests.counted_calls import count_calls
 PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
 
 
+@pytest.fixture
+def calls(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> Callable[[str], tuple[int, int]]:
+    """Return a function that runs a command, and returns how often it parses and checks."""
+
+    def count(command: str) -> tuple[int, int]:
+        parsed, checked = (
+            count_calls(monkeypatch, (Lark, "parse")),
+            count_calls(monkeypatch, (program, "examined")),
+        )
+        word, *options = command.split()
+        assert main([word, str(PROGRAM), *options]) == 0
+        assert capsys.readouterr().err == ""
+        return parsed.calls, checked.calls
+
+    return count
+
+
 @pytest.mark.parametrize(
     "command",
     [
@@ -23,23 +43,12 @@ PROGRAM = Path(__file__).parents[2] / "scripts" / "mint" / "pick-and-place.mnt"
         "check --steps --tree --literals --evidence",
         "run",
         "run --analog 0=25@1",
-        "map --no-run",
-        "cover",
         "profile",
         "certify",
     ],
 )
-def test_a_command_reads_a_program_once(
-    command: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    parsed, checked = (
-        count_calls(monkeypatch, (Lark, "parse")),
-        count_calls(monkeypatch, (program, "examined")),
-    )
-    word, *options = command.split()
-    assert main([word, str(PROGRAM), *options]) == 0
-    assert capsys.readouterr().err == ""
-    assert (parsed.calls, checked.calls) == (1, 1)
+def test_a_command_reads_a_program_once(command: str, calls: Callable[[str], tuple[int, int]]) -> None:
+    assert calls(command) == (1, 1)
 
 
 @pytest.mark.parametrize(
@@ -50,27 +59,12 @@ def test_a_command_reads_a_program_once(
         # The text, and the program for all values.
         ("sweep --jobs 1 --vary _PARTS=1,2,3", 1, 2),
         ("sweep --jobs 1 --vary SPEED[_axX]@18=700,800,900 --vary ACCEL[_axX]@19=3000,4000", 1, 2),
-        # The same, the program that is explored, without and with the edits, and with another number of a group.
-        ("improve", 2, 5),
-        # The text, and the program that is played.
-        ("map", 1, 2),
     ],
 )
 def test_variants_of_a_program_are_not_read(
-    command: str,
-    parses: int,
-    checks: int,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    command: str, parses: int, checks: int, calls: Callable[[str], tuple[int, int]]
 ) -> None:
-    parsed, checked = (
-        count_calls(monkeypatch, (Lark, "parse")),
-        count_calls(monkeypatch, (program, "examined")),
-    )
-    word, *options = command.split()
-    assert main([word, str(PROGRAM), *options]) == 0
-    assert capsys.readouterr().err == ""
-    assert (parsed.calls, checked.calls) == (parses, checks)
+    assert calls(command) == (parses, checks)
 
 
 def test_the_settings_of_a_machine_are_varied_without_a_parse(monkeypatch: pytest.MonkeyPatch) -> None:
