@@ -1,12 +1,13 @@
 """Each command takes twice the work for a program of twice the length: counted in calls, not in seconds.
 
 A shape is a way to write a long program. The normal run gives each shape to one of the commands, at few lines; the slow
-tests give all shapes to each command.
+tests give all shapes to each command. `extras/explore` measures its commands in the same way.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -15,11 +16,6 @@ import pytest
 from motionlang.cli import main
 from motionlang.commands.check import check
 from motionlang.kernel import Source, dialect_of
-from motionlang_explore.exploration import explore
-from motionlang_explore.map.behaviour import behaviour_of
-from motionlang_explore.map.names import ReaderNames
-from motionlang_explore.map.program_map import program_map
-from motionlang_explore.map.view.text import render
 from tests.counted_calls import all_calls
 
 
@@ -79,29 +75,22 @@ SHAPES: dict[str, Callable[[int], str]] = {
         "1MN\n" + "".join(f"MD{i},WN1,WA.01,AL{i * 7 % n},AR40,MJ@40\n" for i in range(n)) + "MC1\n"
     ),
 }  # fmt: skip
-COMMANDS = ("check", "steps", "map", "run", "diff", "cover", "edit", "explore")
-# Each of so many tasks and handlers looks at what each other one does, so a run to their end is no measure.
-MANY_TASKS = ("tasks.mnt", "events.mnt")
+COMMANDS = ("check", "steps", "run", "diff", "edit")
 UNTIL = ["--until", "0.001"]
-# The trials of an exploration, whose number may depend on the program.
-TRIALS = 8
 
 
-def _work(command: str, name: str, text: str) -> Callable[[], object]:
-    """Return what carries out a command on a program; its file is in the current folder."""
-    if command == "edit":
-        return lambda: _edit(name, text)
-    if command == "explore":
-        return lambda: _explore(name, text)
+def _work(command: str, name: str, text: str) -> None:
+    """Carry out a command on a program; its file is in the current folder."""
     arguments = {
         "check": ["check", name],
         "steps": ["check", name, "--steps"],
-        "map": ["map", name, "--no-run"],
         "run": ["run", name, *UNTIL],
         "diff": ["diff", name, f"old-{name}", *UNTIL],
-        "cover": ["cover", name, *UNTIL],
     }
-    return lambda: main(arguments[command])
+    if command == "edit":
+        _edit(name, text)
+    else:
+        main(arguments[command])
 
 
 def _edit(name: str, text: str) -> None:
@@ -111,34 +100,19 @@ def _edit(name: str, text: str) -> None:
     check(language.program(Source(name, text), {}))
 
 
-def _explore(name: str, text: str) -> None:
-    """Do what `init` and `cover --suggest` do first, and show it as `map` does."""
-    language = dialect_of(name)
-    assert language is not None
-    program = language.program(Source(name, text), is_debug=True)
-    made = program_map(program, language)
-    shares: list[float] = []
-    found = explore(program, used=lambda: float(len(shares) >= TRIALS), progress=shares.append)
-    names = ReaderNames(made.channels, made.axes, made.variables)
-    made.behaviour = behaviour_of(found, made.structure, names, made.unreached)
-    render(made, width=80)
-
-
-def _measure(command: str, shape: str, sizes: Sequence[int]) -> list[int]:
-    """Return the calls that a command makes for a shape of each size."""
+def measure(work: Callable[[str, str], None], shape: str, sizes: Sequence[int]) -> list[int]:
+    """Return the calls that some work on a file and its text makes for a shape of each size."""
     found = []
     for size in (20, *sizes):  # the first one also imports and prepares
         text = SHAPES[shape](size)
         for name in (shape, f"old-{shape}"):
             Path(name).write_text(text, encoding="utf-8")
-        found.append(all_calls(_work(command, shape, text)))
+        found.append(all_calls(partial(work, shape, text)))
     return found[1:]
 
 
-def _is_linear(command: str, calls: list[int]) -> bool:
-    """True if twice the length is twice the work; an exploration may need another trial at one length."""
-    if command == "explore":
-        return calls[-1] <= 2.3 ** (len(calls) - 1) * calls[0]
+def is_linear(calls: list[int]) -> bool:
+    """True if twice the length is twice the work."""
     return all(more <= 2.3 * less for less, more in pairwise(calls))
 
 
@@ -148,29 +122,22 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MOTIONLANG_CACHE", str(tmp_path / ".cache"))
 
 
-# These are explored, which makes as many trials for each length.
-EXPLORED = ("select.mnt", "table.mcl")
-
-
-@pytest.mark.parametrize(
-    "shape", [pytest.param(each, marks=pytest.mark.slow) if each in EXPLORED else each for each in SHAPES]
-)
+@pytest.mark.parametrize("shape", SHAPES)
 def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
     command = COMMANDS[list(SHAPES).index(shape) % len(COMMANDS)]
-    calls = _measure(command, shape, (30, 60, 120))
-    assert _is_linear(command, calls), (command, calls)
+    calls = measure(partial(_work, command), shape, (30, 60, 120))
+    assert is_linear(calls), (command, calls)
 
 
-@pytest.mark.parametrize(
-    "sizes",
-    [
-        pytest.param((150, 300, 600), marks=pytest.mark.slow),
-        pytest.param((500, 1000, 2000), marks=pytest.mark.long),
-    ],
-    ids=str,
-)
+# The lengths of the tests that are slow, and of those that take minutes.
+LONG = [
+    pytest.param((150, 300, 600), marks=pytest.mark.slow),
+    pytest.param((500, 1000, 2000), marks=pytest.mark.long),
+]
+
+
+@pytest.mark.parametrize("sizes", LONG, ids=str)
 @pytest.mark.parametrize("command", COMMANDS)
 def test_all_shapes_of_long_programs_are_twice_the_work(command: str, sizes: tuple[int, ...]) -> None:
-    shapes = [each for each in SHAPES if command != "explore" or each not in MANY_TASKS]
-    calls = {shape: _measure(command, shape, sizes) for shape in shapes}
-    assert [f"{shape}: {each}" for shape, each in calls.items() if not _is_linear(command, each)] == []
+    calls = {shape: measure(partial(_work, command), shape, sizes) for shape in SHAPES}
+    assert [f"{shape}: {each}" for shape, each in calls.items() if not is_linear(each)] == []

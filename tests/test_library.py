@@ -1,6 +1,7 @@
-"""The interface of the package: every name of `__all__`.
+"""The interface of the package: every name of `__all__` that it has itself.
 
-The tests include the arguments of its functions and the `repr` of its objects.
+The tests include the arguments of its functions and the `repr` of its objects. Those of the other names are in
+`extras/explore`.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ import pytest
 
 import motionlang
 from motionlang import Loop, Motor, Source, Track
+from motionlang.extras import NAMES
 from motionlang.kernel.tools import MissingExtra
 
 # 200 uu at 100 uu/s with 1000 uu/s²: 0.1 s up, 1.9 s slew, 0.1 s down.
@@ -31,6 +33,8 @@ FEED = Source(
 )
 STILL = Track([0.0], [motionlang.hold(0.0)])
 LIMITS = {"axis.0.limits.speed": 125.0}
+# The names of this distribution.
+OWN = [name for name in motionlang.__all__ if name not in NAMES]
 # A call of each function; a class is checked by what a function returns.
 CALLS: dict[str, Callable[[], object]] = {
     "run": lambda: motionlang.run(FEED),
@@ -38,15 +42,11 @@ CALLS: dict[str, Callable[[], object]] = {
     "plan": lambda: motionlang.plan(distance=20, time=0.6, rule="third"),
     "parse": lambda: motionlang.parse(FEED.text, "mint"),
     "profile": lambda: motionlang.profile(FEED),
-    "cover": lambda: motionlang.cover(FEED),
-    "explore": lambda: motionlang.explore(FEED),
-    "map": lambda: motionlang.map(FEED, run=True),
     "diff": lambda: motionlang.diff(FEED, FEED),
     "compare": lambda: motionlang.compare(
         FEED,
         Source("d.csv", "time_s,axis0_position_uu\n" + "".join(f"{n / 10},{n * 9}\n" for n in range(20))),
     ),
-    "improve": lambda: motionlang.improve(FEED, machine=LIMITS),
     "certify": lambda: motionlang.certify(motionlang.run(FEED, machine=LIMITS)),
     "dialect": lambda: motionlang.dialect("mint"),
     "hold": lambda: motionlang.hold(0.0),
@@ -74,7 +74,7 @@ def test_no_submodule_hides_a_name() -> None:
     for name in modules():
         with contextlib.suppress(MissingExtra, ModuleNotFoundError):  # of an optional library
             importlib.import_module(name)
-    for name in motionlang.__all__:
+    for name in OWN:
         assert not inspect.ismodule(getattr(motionlang, name)), name
     for name, call in CALLS.items():
         assert callable(getattr(motionlang, name))
@@ -82,13 +82,12 @@ def test_no_submodule_hides_a_name() -> None:
 
 
 def test_every_function_is_called_here() -> None:
-    functions = {name for name in motionlang.__all__ if inspect.isfunction(getattr(motionlang, name))}
-    assert functions == CALLS.keys()
+    assert {name for name in OWN if inspect.isfunction(getattr(motionlang, name))} == CALLS.keys()
 
 
 def test_every_name_has_a_docstring_and_is_in_dir() -> None:
     assert dir(motionlang) == sorted(motionlang.__all__)
-    for name in motionlang.__all__:
+    for name in OWN:
         if name != "__version__":
             assert inspect.getdoc(getattr(motionlang, name)), name
 
@@ -104,9 +103,7 @@ WRONG = Source("wrong.mnt", "PRINT 1\nIf x\nPRINT )\n")
 ERRORS = "line 2: `If` is never closed; "
 
 
-@pytest.mark.parametrize(
-    "name", ["certify", "compare", "cover", "diff", "explore", "improve", "map", "profile"]
-)
+@pytest.mark.parametrize("name", ["certify", "compare", "diff", "profile"])
 def test_a_program_with_errors_is_a_program_error_with_its_lines(name: str) -> None:
     call = getattr(motionlang, name)
     others = {"compare": [FEED], "diff": [FEED]}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -11,19 +12,23 @@ import pytest
 from motionlang import diff, run
 from motionlang.commands.diff.runs import runs_text
 from motionlang.kernel import Source, dialect_of, settings_next_to
-from test_explore.worlds import world_of
 from tests.cases import cases
 from tests.cli.programs import Cell
 
 ROOT = Path(__file__).parents[3]
-V4 = [
-    path
-    for folder in ("scripts/mint", "tests/spec/mint", "examples/old")
-    for path in sorted((ROOT / folder).iterdir())
-    if path.suffix in (".mnt", ".prg")
-    and re.search(r"\b(ENDIF|ENDW|ENDL)\b|\bSPEED\.0", path.read_text(encoding="utf-8").upper())
-]
 
+
+def of_v4(folder: Path) -> list[Path]:
+    """Return the programs of a folder in the notation of Mint v4."""
+    return [
+        path
+        for path in sorted(folder.iterdir())
+        if path.suffix in (".mnt", ".prg")
+        and re.search(r"\b(ENDIF|ENDW|ENDL)\b|\bSPEED\.0", path.read_text(encoding="utf-8").upper())
+    ]
+
+
+V4 = [path for folder in ("scripts/mint", "tests/spec/mint") for path in of_v4(ROOT / folder)]
 # Machine seconds of the runs before and after a port.
 SECONDS = 10.0
 
@@ -104,25 +109,23 @@ def test_more_fixes_than_a_check_reports_mistakes(cell: Cell) -> None:
     assert path.read_text() == "a = 1\n" + "IF a Then\n a = INX(0)\nEnd If\n" * 40 + "OUT(0) = a\n"
 
 
-# Old machines whose world takes `init` more than half a second; others of them are always tested.
-SLOW = ("label", "palletiser", "drill", "packer")
-
-
-@pytest.mark.parametrize(
-    "path",
-    [pytest.param(path, id=path.stem, marks=pytest.mark.slow if path.stem in SLOW else ()) for path in V4],
-)
+@pytest.mark.parametrize("path", V4, ids=lambda path: path.stem)
 def test_a_ported_program_does_the_same(path: Path, cell: Cell) -> None:
-    """The programs are those of the gallery, the manual and the old machines in the notation of Mint v4.
+    """The programs are those of the gallery and the manual in the notation of Mint v4.
+
+    Those of old machines, which need a world, are in `extras/explore`.
+    """
+    assert_port_is_the_same(path, settings_next_to(path), cell)
+
+
+def assert_port_is_the_same(path: Path, machine: Mapping[str, object], cell: Cell) -> None:
+    """Port a program, and compare its run with the one before.
 
     What differs is the number of decimals of what the port has reported.
     """
     before = Source.read(path)
     language = dialect_of(path.name)
     assert language is not None
-    machine = settings_next_to(path)
-    if path.parent.name == "old":
-        machine = world_of(before, language)
     old = language.program(before).target.model or "mintmt"  # the notation of both: it stays MintMT
     written = cell.folder / path.name
     written.write_bytes(path.read_bytes())

@@ -16,8 +16,6 @@ from motionlang.commands.compare.baseline import baseline_of, read_compared
 from motionlang.commands.compare.comparison import compare
 from motionlang.commands.recording import RecordedTable
 from motionlang.kernel import Run, Source, run
-from motionlang_explore.init.recorded.drafting import entries_of
-from motionlang_explore.init.recorded.recording import measured_recording
 
 STEP = 0.02
 PROGRAM = """\
@@ -193,22 +191,18 @@ def write_parquet(columns: dict[str, tuple[str, ...]], path: Path) -> None:
 
 
 class Answer(NamedTuple):
-    """What two commands say about a recording: delay, largest residual, and the rules of the inputs."""
+    """What `compare` says about a recording: delay, largest residual, points, and remarks."""
 
     delay: float
     residual: float
     points: int
-    rules: list[tuple[tuple[str, ...], dict[str, float]]]
     remarks: list[str]
 
 
 def answer(table: RecordedTable) -> Answer:
-    """Return what `compare` and `init` say about a recording."""
+    """Return what `compare` says about a recording."""
     baseline = baseline_of(machine())
     made = compare(baseline, read_compared(table, [], baseline))
     (signal,) = made.signals
-    _, given, _ = entries_of(measured_recording(table, ()))
-    entries: list[dict[str, float]] = given["input"]  # type: ignore[assignment]
-    rules = [(tuple(each), each) for each in entries]
     remarks = list(dict.fromkeys(each.message for each in made.recording.remarks))
-    return Answer(made.delay, abs(signal["peak"]), signal["points"], rules, remarks)
+    return Answer(made.delay, abs(signal["peak"]), signal["points"], remarks)

