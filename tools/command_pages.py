@@ -13,7 +13,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from motionlang.cli.commands import GROUPS, build_parser
-from motionlang_explore.playing import PLAYED
+from tests.extras import ABSENT, MISSING
+
+if "explore" not in ABSENT:
+    from motionlang_explore.playing import PLAYED
 
 ROOT = Path(__file__).parents[1]
 _SECTION = re.compile(r"(<!-- (commands|played|options: ([\w ]+)) -->\n).*?(<!-- end -->)", re.DOTALL)
@@ -39,11 +42,9 @@ def parsers() -> dict[str, argparse.ArgumentParser]:
 
 
 def pages() -> list[Path]:
-    """Return the pages, in order; those of the folder extras if their commands are installed."""
-    extras = [
-        each for each in ROOT.glob("extras/*/docs/commands/*.md") if each.stem in subparsers(build_parser())
-    ]
-    return sorted([*ROOT.glob("docs/commands/*.md"), *extras])
+    """Return the pages, in order, without those of commands that need a distribution that is not installed."""
+    found = [*ROOT.glob("docs/commands/*.md"), *ROOT.glob("extras/*/docs/commands/*.md")]
+    return sorted(each for each in found if each.stem not in MISSING)
 
 
 def written(text: str) -> str:

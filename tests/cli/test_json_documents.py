@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.programs import Cell
-from tests.extras import INSTALLED
+from tests.extras import INSTALLED, MISSING
 
 REPORT = Path(__file__).parents[2] / "docs" / "report.md"
 PAGES = [REPORT, *(page for each in INSTALLED for page in each.glob("docs/commands/*.md"))]
@@ -26,11 +26,8 @@ OTHER = START.format(speed=120) + 'PRINT "b"\n'
 COMMANDS = {
     "check": "check a.mnt",
     "compare": "compare b.mnt b.csv --map position.0=p",
-    "cover": "cover a.mnt",
-    "map": "map a.mnt",
     "diff": "diff a.mnt b.mnt",
     "help": "help HOMESPEED",
-    "improve": "improve c.mnt",
     "plan": "plan --distance 20 --time 0.6 --rule third",
     "profile": "profile b.mnt",
     "pvt plot": "pvt plot --scurve 1000 --time 100",
@@ -42,7 +39,10 @@ COMMANDS = {
     "sweep": "sweep b.mnt --vary SPEED[0]@1=100,120",
     "verify": "verify b.mnt",
 }
-EXTRAS = {"copley": {"copley stream": "copley stream --scurve 1000 --time 100"}}
+EXTRAS = {
+    "copley": {"copley stream": "copley stream --scurve 1000 --time 100"},
+    "explore": {"cover": "cover a.mnt", "map": "map a.mnt", "improve": "improve c.mnt"},
+}
 COMMANDS |= {name: line for each in INSTALLED for name, line in EXTRAS.get(each.name, {}).items()}
 
 
@@ -65,7 +65,7 @@ def fields_of(command: str) -> dict[str, list[str]]:
 
 
 def test_the_page_has_every_document() -> None:
-    assert {name.split(" --")[0] for name, _, _ in ROWS} == {*COMMANDS, "certify"}
+    assert {name.split(" --")[0] for name, _, _ in ROWS} - MISSING == {*COMMANDS, "certify"} - MISSING
 
 
 @pytest.mark.parametrize("command", COMMANDS)

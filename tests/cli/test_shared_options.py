@@ -14,18 +14,14 @@ from tests.extras import INSTALLED
 MOVE = "MOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\nPRINT POS(0)\n"
 # Each command, with what it needs.
 LINES: dict[str, str] = {
-    **dict.fromkeys(
-        ("run", "profile", "certify", "init", "check", "cover", "verify", "repl", "panel"), "a.mnt"
-    ),
+    **dict.fromkeys(("run", "profile", "certify", "check", "verify", "repl"), "a.mnt"),
     "trace": "a.mnt out.csv",
     "plot": "a.mnt out.html",
     "diff": "a.mnt a.mnt",
-    "improve": "c.mnt",
     "compare": "a.mnt a.csv --map position.0=p",
     "sweep": "a.mnt --vary rate=1,2 --keep time --jobs 1",
     "plan": "--distance 20 --time 0.6 --rule third",
     "help": "SPEED",
-    "map": "a.mnt",
     "pvt plot": "--scurve 1000 --time 100",
     "pvt refine": "--positions=0,200,900,500 --time 20",
     "pvt export": "--scurve 1000 --time 100",
@@ -36,6 +32,7 @@ LINES: dict[str, str] = {
     "serve": "a.mnt --tcp 127.0.0.1:0",
 }
 EXTRAS = {
+    "explore": {**dict.fromkeys(("init", "cover", "panel", "map"), "a.mnt"), "improve": "c.mnt"},
     "copley": {"copley serve": "virtual:x", "copley stream": "--scurve 1000 --time 100"},
     "mcapi": {"mcapi run": "a.mnt", "mcapi serve": "--port 0", "mcapi replay": "a.log"},
 }

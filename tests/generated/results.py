@@ -47,7 +47,8 @@ if "lsp" not in ABSENT:
 
 ROOT = Path(__file__).parents[2]
 DIGESTS = Path(__file__).with_name("results.txt")
-SERVER = "extras/lsp"
+# The distributions whose commands and answers are among the texts.
+EXTRAS = {"extras/lsp": "motionlang_lsp", "extras/explore": "motionlang_explore"}
 # The seeds of each family of programs, and of command lines without a program.
 SEEDS = {
     "motion": range(1, 37),
@@ -82,8 +83,11 @@ _FIGURE = re.compile(r"-?\d+\.\d+(?:e[+-]?\d+)?|-?\d+e-\d+")
 # `SMALL` are only rounding errors of others. `OFF` moves exact halves of the last digit to one side.
 LONG, DIGITS, DECIMALS, SMALL, OFF = 11, 9, 11, 1e-9, 1.0 + 3e-12
 
-# What an editor shows is left out without motionlang-lsp.
-LEFT_OUT = ("editor", "machine") if "lsp" in ABSENT else ()
+# What an editor shows is left out without motionlang-lsp, and `init` without motionlang-explore.
+LEFT_OUT = (
+    *(("editor", "machine") if "lsp" in ABSENT else ()),
+    *(("init",) if "explore" in ABSENT else ()),
+)
 
 # Texts without a digest. The first five depend on the last bit of a figure: whether two times are the same, or a
 # figure has another sign.
@@ -148,7 +152,7 @@ def _texts(family: str, seed: str) -> dict[str, str]:
     found = {"program": program.text + program.machine_file}
     if family == "gallery":
         found["damaged"] = _damaged(program)
-        if not LEFT_OUT:
+        if "lsp" not in ABSENT:
             found |= {"editor": _editor(program), "machine": _machine(program, seed)}
         return found
     found["report"] = said("run", program.name, "--format", "json", "--until", UNTIL)
@@ -435,8 +439,11 @@ def main(arguments: list[str]) -> int:
             os.chdir(temporary)
             write_texts(folder, given.name or names())
             return 0
-        unpacked(given.commit, Path(temporary), "motionlang", "grammars", f"{SERVER}/motionlang_lsp")
-        paths = os.pathsep.join(str(Path(root, each)) for each in (".", SERVER) for root in (temporary, ROOT))
+        packages = [f"{folder}/{name}" for folder, name in EXTRAS.items()]
+        unpacked(given.commit, Path(temporary), "motionlang", "grammars", *packages)
+        paths = os.pathsep.join(
+            str(Path(root, each)) for each in (".", *EXTRAS) for root in (temporary, ROOT)
+        )
         again = [sys.executable, "-m", "tests.generated.results", str(folder), *given.name]
         return subprocess.run(
             again, check=False, cwd=temporary, env={**os.environ, "PYTHONPATH": paths}

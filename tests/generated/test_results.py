@@ -86,7 +86,7 @@ def test_what_users_see_of_programs_has_not_changed(
     of_batch = batches()[batch]
     if request.config.getoption("--update"):
         assert "PYTEST_XDIST_WORKER" not in os.environ, "give -n 0, too: workers write over each other's rows"
-        assert not LEFT_OUT, "install motionlang-lsp: the rows have what an editor shows, too"
+        assert not LEFT_OUT, "install motionlang-lsp and motionlang-explore: the rows have their texts, too"
         rewrite({name: digests(name) for name in of_batch})
         return
     known, changed = recorded(), []

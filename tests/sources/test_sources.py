@@ -14,11 +14,11 @@ from motionlang.cli import commands
 from tests.cases import cases
 from tests.cli.notes import NAMES, answer
 from tests.cli.programs import parser_of
-from tests.extras import ABSENT
+from tests.extras import MISSING
 from tools.sources_page import ROOT, Entry, entries
 
 ENTRIES = [each for each in entries() if each.kind != "context"]
-NOT_RUN = ("calc ", "page ", *(f"motionlang {name} " for name in ABSENT))
+NOT_RUN = ("calc ", "page ", *(f"motionlang {name} " for name in sorted(MISSING)))
 COMMANDS = [each for each in ENTRIES if not each.command.startswith(NOT_RUN)]
 
 
