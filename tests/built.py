@@ -34,12 +34,12 @@ def copy_with_bytecode(source: Path, target: Path, *left_out: str) -> None:
     shutil.copytree(source, target, ignore=shutil.ignore_patterns("*.pyc.*", *left_out))
 
 
-def distributions(folder: Path, *kinds: str) -> list[Path]:
+def distributions(folder: Path, *kinds: str, source: Path = ROOT) -> list[Path]:
     """Build in an empty `folder`; return one file for each kind, "sdist" or "wheel"."""
     pytest.importorskip("setuptools", minversion="77")
     copy, out = folder / "motionlang", folder / "dist"
-    shutil.copytree(ROOT, copy, ignore=shutil.ignore_patterns(*IGNORED))
-    out.mkdir()
+    shutil.copytree(source, copy, ignore=shutil.ignore_patterns(*IGNORED))
+    out.mkdir(parents=True)
     for kind in kinds:
         command = [sys.executable, "-c", BUILD.format(kind), str(out)]
         subprocess.run(command, cwd=copy, check=True, capture_output=True)

@@ -19,7 +19,8 @@ from pathlib import Path
 
 from packaging.requirements import Requirement
 
-from motionlang.cli.commands import COMMANDS
+from motionlang.cli.commands import COMMANDS, FOLDERS
+from motionlang.extras import installation
 from motionlang.kernel.tools import LIBRARIES
 from tests.built import ROOT
 
@@ -63,6 +64,14 @@ compare move.mnt recorded.csv
 serve move.mnt --modbus 127.0.0.1:0
 completion bash [completion]
 """
+# Those of motionlang-explore.
+USES_OF_EXPLORE = (
+    "map move.mnt",
+    "cover move.mnt",
+    "improve move.mnt --set axis.0.limits.speed=60 --set axis.0.limits.acceleration=600",
+)
+# Commands that the package does not have itself, by the distribution that brings each.
+ELSEWHERE = {f"{name} move.mnt": folder for name, folder in FOLDERS.items() if name not in COMMANDS}
 DRIVER = """\
 import contextlib, io, json, sys
 from motionlang.cli import main
@@ -214,3 +223,12 @@ def check_uses(ran: Mapping[str, tuple[int, str, str]], uses: Mapping[str, str],
         else:
             assert status == 0, (command, err)
             assert "error" not in err, command
+
+
+def check_elsewhere(ran: Mapping[str, tuple[int, str, str]]) -> None:
+    """Check that each command of a distribution that is not installed says what to install."""
+    for command, folder in ELSEWHERE.items():
+        name = command.partition(" ")[0]
+        message = f"motionlang: error: {name} needs motionlang-{folder}: {installation(folder)}\n"
+        status, out, err = ran[command]
+        assert (status, out, err) == (2, "", message), command

@@ -2,8 +2,9 @@
 
 For each Python, an environment in a temporary folder gets the wheel and the lowest versions that it declares.
 There the help and the real uses of every command run, with all warnings as errors; in the first environment, also
-without assertions and docstrings (-OO), since each compiles all modules anyway. With the first Python, the tests of
-`FOLDERS`, which show what these libraries write, then run with the lowest versions of the extras, too; those of the
+without assertions and docstrings (-OO), since each compiles all modules anyway. The commands of the folder extras say
+there what to install. Then motionlang-explore is installed, too, and its commands run. With the first Python, the tests
+of `FOLDERS`, which show what these libraries write, then run with the lowest versions of the extras, too; those of the
 command line show that the package needs no distribution of the folder extras. Without arguments, each Python from 3.11
 to 3.14 on PATH or of pyenv is used; missing ones are skipped. A package index is needed.
 """
@@ -26,9 +27,12 @@ from packaging.version import Version
 from tests.built import ROOT, distributions
 from tests.installed import (
     DRIVER,
+    ELSEWHERE,
     EXTRAS,
     PROJECT,
     STRICT,
+    USES_OF_EXPLORE,
+    check_elsewhere,
     check_helps,
     check_uses,
     drive,
@@ -67,11 +71,11 @@ def lowest(python_version: str, extras: Iterable[str] = ()) -> list[str]:
     return found
 
 
-def run(python: str, wheel: Path, folder: Path, *flags: str, newest: bool = False) -> str:
+def run(python: str, wheel: Path, explore: Path, folder: Path, *flags: str, newest: bool = False) -> str:
     """Run every command with `python` and its flags in an environment of its own.
 
-    It has the lowest versions of the libraries, or the newest ones. Return the packages in the environment, which is
-    created below `folder`, a new folder.
+    It has the wheel, then also that of motionlang-explore, and the lowest versions of the libraries, or the newest
+    ones. Return the packages in the environment, which is created below `folder`, a new folder.
     """
     folder.mkdir()
     version = subprocess.check_output([python, "-c", VERSION], text=True).strip()
@@ -79,7 +83,8 @@ def run(python: str, wheel: Path, folder: Path, *flags: str, newest: bool = Fals
     # An installer of this Python serves the environment, which saves the installation of another one.
     subprocess.run([python, "-m", "venv", "--without-pip", str(folder / "env")], check=True)
     installed = str(folder / "env" / ("Scripts" if os.name == "nt" else "bin") / "python")
-    subprocess.run([sys.executable, "-m", *installer(installed), *WHEELS, str(wheel), *versions], check=True)
+    install = [sys.executable, "-m", *installer(installed), *WHEELS]
+    subprocess.run([*install, str(wheel), *versions], check=True)
     work = folder / "work"
     work.mkdir()
     write_files(work)
@@ -88,11 +93,15 @@ def run(python: str, wheel: Path, folder: Path, *flags: str, newest: bool = Fals
     environment |= {"MOTIONLANG_CACHE": str(folder / "cache"), "PYTHONUTF8": "1"}
     uses = {use: extra for use, extra in needed().items() if not extra}
     command = [installed, *STRICT, *flags, str(folder / "driver.py")]
-    ran = drive(command, [*helps(), *uses], work, environment)
+    ran = drive(command, [*helps(), *uses, *ELSEWHERE], work, environment)
     check_helps(ran)
     check_uses(ran, uses, set())
+    check_elsewhere(ran)
+    subprocess.run([*install, "--no-deps", str(explore)], check=True)
+    check_uses(drive(command, USES_OF_EXPLORE, work, environment), dict.fromkeys(USES_OF_EXPLORE, ""), set())
     libraries = ", ".join(versions) or "the newest libraries"
-    return f"Python {' '.join((version, *flags))} with {libraries}: {len(helps())} helps, {len(uses)} uses"
+    count = len(uses) + len(USES_OF_EXPLORE)
+    return f"Python {' '.join((version, *flags))} with {libraries}: {len(helps())} helps, {count} uses"
 
 
 def run_tests(python: str, wheel: Path, folder: Path) -> str:
@@ -146,10 +155,13 @@ def main() -> int:
     present = [python for python in given.values() if python is not None]
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(os.cpu_count()) as pool:
         folder = Path(name)
-        (wheel,) = distributions(folder, "wheel")
+        (wheel,) = distributions(folder / "core", "wheel")
+        (explore,) = distributions(folder / "explore", "wheel", source=ROOT / "extras" / "explore")
         tested = pool.submit(run_tests, present[0], wheel, folder / "suite")
         for line in pool.map(
-            lambda number: run(present[number], wheel, folder / str(number), *([] if number else ["-OO"])),
+            lambda number: run(
+                present[number], wheel, explore, folder / str(number), *([] if number else ["-OO"])
+            ),
             range(len(present)),
         ):
             print(line, flush=True)

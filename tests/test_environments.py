@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -32,9 +32,12 @@ def install(wheel: Path, tmp_path: Path) -> Install:
     return install
 
 
-def works(install: Install, *flags: str, part: slice = slice(None), **changes: str | None) -> None:
-    """Run one use of each command, or of some; none may leave an unexpected file."""
-    uses = [each for each in first_uses() if not needed()[each]][part]
+# One use of each command that needs no extra.
+FIRST_USES = [each for each in first_uses() if not needed()[each]]
+
+
+def works(install: Install, uses: Sequence[str], *flags: str, **changes: str | None) -> None:
+    """Run commands; none may leave an unexpected file."""
     for command, (status, _, err) in install(uses, *flags, **changes).items():
         assert (status, "error" in err) == (0, False), (command, err)
     given, made = {"move.mnt", "recorded.csv"}, {each.name for each in install.folder.iterdir()}
@@ -43,29 +46,41 @@ def works(install: Install, *flags: str, part: slice = slice(None), **changes: s
 
 def test_every_command_with_warnings_as_errors(install: Install) -> None:
     """`python -m tests.lowest` also runs them without assertions and docstrings (-OO)."""
-    works(install, *STRICT)
+    works(install, FIRST_USES, *STRICT)
 
 
 def test_every_command_without_a_home(install: Install, tmp_path: Path) -> None:
     """The cache folder is named, so that the test does not use that of the user."""
-    works(
-        install, HOME=None, MOTIONLANG_CACHE=None, XDG_CACHE_HOME=str(tmp_path), XDG_STATE_HOME=str(tmp_path)
-    )
+    works(install, FIRST_USES, **without_a_home(tmp_path))
 
 
-@pytest.mark.parametrize(("which", "kind"), [(0, "read-only"), (1, "a file"), (2, "relative")])
-def test_every_command_with_a_home_that_takes_no_file(
-    which: int, kind: str, install: Install, tmp_path: Path
-) -> None:
+def without_a_home(caches: Path) -> dict[str, str | None]:
+    return {
+        "HOME": None,
+        "MOTIONLANG_CACHE": None,
+        "XDG_CACHE_HOME": str(caches),
+        "XDG_STATE_HOME": str(caches),
+    }
+
+
+HOMES = ("read-only", "a file", "relative")
+
+
+@pytest.mark.parametrize("kind", HOMES)
+def test_every_command_with_a_home_that_takes_no_file(kind: str, install: Install, tmp_path: Path) -> None:
     """Each command has one of the three, in turn."""
+    works(install, FIRST_USES[HOMES.index(kind) :: 3], **home_of(kind, tmp_path))
+
+
+def home_of(kind: str, tmp_path: Path) -> dict[str, str | None]:
+    """Return the environment with a home that takes no file."""
     home = tmp_path / "home"
     if kind == "a file":
         home.touch()
     else:
         home.mkdir(0o555)
     name = "nowhere" if kind == "relative" else str(home)
-    part = slice(which, None, 3)
-    works(install, part=part, HOME=name, MOTIONLANG_CACHE=None, XDG_CACHE_HOME="too", XDG_STATE_HOME=None)
+    return {"HOME": name, "MOTIONLANG_CACHE": None, "XDG_CACHE_HOME": "too", "XDG_STATE_HOME": None}
 
 
 def test_a_user_without_a_home_has_no_cache(monkeypatch: pytest.MonkeyPatch) -> None:

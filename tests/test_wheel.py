@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
@@ -18,10 +19,12 @@ from motionlang.kernel.tools import LIBRARIES
 from tests.built import ROOT
 from tests.cli.programs import MAX_SECONDS
 from tests.installed import (
+    ELSEWHERE,
     EXTRAS,
     PROJECT,
     USED,
     Install,
+    check_elsewhere,
     check_helps,
     check_uses,
     closure,
@@ -40,9 +43,10 @@ links = pytest.mark.skipif(os.name == "nt", reason="links need a privilege on Wi
 def test_every_command_from_the_bare_wheel(wheel: Path, tmp_path: Path) -> None:
     install = Install(tmp_path, wheel, closure(PROJECT["dependencies"]))
     uses = needed()
-    ran = install([*helps(), *uses])
+    ran = install([*helps(), *uses, *ELSEWHERE])
     check_helps(ran)
     check_uses(ran, uses, set(USED))
+    check_elsewhere(ran)
 
 
 @pytest.mark.slow
@@ -58,17 +62,27 @@ def test_every_command_without_one_extra(absent: str, wheel: Path, tmp_path: Pat
 
 # Uses that need numpy among those that need no extra, and some more: by the option or command in the message.
 WITHOUT_NUMPY = {
-    "improve move.mnt --set axis.0.limits.speed=60 --set axis.0.limits.acceleration=600": "motionlang improve",
     "trace move.mnt move.csv --rate 100": "motionlang trace",
     "trace move.mnt move.npz": "motionlang trace",
     "run motor.mnt": "this run",
     "pvt export --positions 0,10,20 --time 10 --format pdo": "motionlang pvt",
     "servo step": "motionlang servo",
     "diff move.mnt move.mnt": "motionlang diff",
-    "panel move.mnt": "motionlang panel",
     "compare move.mnt recorded.csv --map position.0=2": "motionlang compare",
     "compare move.mnt recorded.csv": "motionlang compare",
 }
+
+
+def check_without_numpy(ran: Mapping[str, tuple[int, str, str]], users: Mapping[str, str]) -> None:
+    """Check that uses name numpy if they need it, and work if not."""
+    for command, (status, out, err) in ran.items():
+        user = users.get(command)
+        if user is None:
+            assert status == 0, (command, err)
+            assert "error" not in err, command
+        else:
+            message = f"error[extra]: {user} needs numpy\n  hint: python -m pip install numpy\n"
+            assert (status, out, err) == (69, "", message), command
 
 
 @pytest.mark.slow
@@ -80,14 +94,7 @@ def test_every_command_without_numpy(wheel: Path, tmp_path: Path) -> None:
     (install.folder / "motor.machine.toml").write_text("[axis.0.plant]\nkind = 'dc'\n")
     plain = [use for use, extra in needed().items() if not extra and use not in WITHOUT_NUMPY]
     ran = install([*helps(), *plain, *WITHOUT_NUMPY])
-    for command, (status, out, err) in ran.items():
-        user = WITHOUT_NUMPY.get(command)
-        if user is None:
-            assert status == 0, (command, err)
-            assert "error" not in err, command
-        else:
-            message = f"error[extra]: {user} needs numpy\n  hint: python -m pip install numpy\n"
-            assert (status, out, err) == (69, "", message), command
+    check_without_numpy(ran, WITHOUT_NUMPY)
     lines = "MOVER(0) = 5 : GO(0)\n.settle\n.plot\nPRINT POS(0)\n"
     result = subprocess.run(
         [sys.executable, "-S", "-m", "motionlang", "repl"], input=lines, cwd=install.folder,

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from motionlang import __version__
 from tests.built import IGNORED, ROOT
-from tests.installed import needed, write_files
+from tests.installed import USES_OF_EXPLORE, needed, write_files
 from tests.lowest import installer, interpreters, run
 
 PROGRAM = ROOT / "scripts" / "mint" / "ballscrew.mnt"
@@ -130,11 +130,12 @@ def check_distributions(folder: Path, sdist: Path, wheel: Path) -> Iterator[Row]
 
 
 def check_installs(folder: Path, wheel: Path, sdist: Path, *, only_here: bool) -> Iterator[Row]:
-    """Install into bare environments and use every command there.
+    """Install into bare environments, use every command there, and compare the gallery with its golden files.
 
     That is done with the newest versions of the libraries on each Python of this machine, and with the lowest ones;
     `only_here` restricts it to the newest ones on this Python, as `python -m tests.lowest` has the rest.
     """
+    (explore,) = folder.glob("motionlang_explore-*.whl")
     pythons = {"": sys.executable} if only_here else interpreters()
     for number, (name, python) in enumerate(pythons.items()):
         if python is None:
@@ -142,8 +143,9 @@ def check_installs(folder: Path, wheel: Path, sdist: Path, *, only_here: bool) -
             continue
         for newest in (True,) if only_here else (True, False):
             place = folder / f"install-{number}-{'newest' if newest else 'lowest'}"
-            told = run(python, wheel, place, newest=newest)
+            told = run(python, wheel, explore, place, newest=newest)
             program = place / "env" / ("Scripts" if os.name == "nt" else "bin") / "motionlang"
+            call(program, "verify", "scripts")
             yield Row(
                 f"wheel on {told.partition(':')[0]}", told.partition(": ")[2], None, start_time(program)
             )
@@ -190,15 +192,15 @@ def program(folder: Path, wheel: Path) -> Iterator[Row]:
     work = folder / "program-work"
     work.mkdir()
     write_files(work)
-    uses = [use for use, extra in needed().items() if not extra]
-    for use in [*uses, "sweep move.mnt --vary axis.0.start=1,2 --jobs 2", "map move.mnt", "lsp --help"]:
+    uses = [*(use for use, extra in needed().items() if not extra), *USES_OF_EXPLORE]
+    for use in [*uses, "sweep move.mnt --vary axis.0.start=1,2 --jobs 2", "lsp --help"]:
         call(executable, *use.split(), folder=work)
     system, machine = platform.system().lower(), platform.machine().lower()
     kind = "zip" if os.name == "nt" else "gztar"
     packed = shutil.make_archive(
         str(folder / f"motionlang-{__version__}-{system}-{machine}"), kind, built.parent, "motionlang"
     )
-    check = f"{len(uses) + 3} uses; {megabytes(built):.0f} MB unpacked"
+    check = f"{len(uses) + 2} uses; {megabytes(built):.0f} MB unpacked"
     yield Row(Path(packed).name, check, megabytes(Path(packed)), start_time(executable))
 
 

@@ -37,7 +37,7 @@ def check(folder: Path, wheel: Path, site: Path | None) -> Iterator[Row]:
     """Collect the wheels, then take the steps without network access, if this system can do that."""
     wheels = folder / "wheels"
     pip = [sys.executable, "-m", "pip", "wheel", "--quiet", "--disable-pip-version-check"]
-    built = [str(wheel), str(next(folder.glob("motionlang_lsp-*.whl")))]
+    built = [str(wheel), *(str(next(folder.glob(f"motionlang_{name}-*.whl"))) for name in ("explore", "lsp"))]
     subprocess.run([*pip, "--wheel-dir", str(wheels), *built], check=True, stderr=subprocess.DEVNULL)
     alone = shutil.which("unshare") and not subprocess.run([*UNSHARE, "true"], check=False).returncode
     command = [*(UNSHARE if alone else ()), sys.executable, "-m", "tests.release.trial"]
@@ -113,7 +113,9 @@ def steps(folder: Path, wheels: str, site: str = "") -> dict[str, Callable[[], o
     move = "SPEED(0) = 50\nMOVER(0) = 5 : GO(0)\n.settle\nPRINT POS(0)\n"
     found: dict[str, Callable[[], object]] = {
         "python -m venv": lambda: user.types(sys.executable, "-m", "venv", str(folder / "env")),
-        "pip install motionlang-lsp": lambda: user.types(*pip, "--find-links", wheels, "motionlang-lsp"),
+        "pip install motionlang-explore motionlang-lsp": lambda: user.types(
+            *pip, "--find-links", wheels, "motionlang-explore", "motionlang-lsp"
+        ),
         "motionlang init --new feed": lambda: user.sees("feed.mnt", "init", "--new", "feed"),
         "motionlang run feed.mnt": lambda: user.sees("back at 0.0000 mm", "run", "feed.mnt"),
         "motionlang plot feed.mnt feed.html": lambda: user.types(
