@@ -182,7 +182,7 @@ def test_a_report_has_dropped_moves_and_events() -> None:
 
 def test_an_empty_list_is_one_line() -> None:
     document = text(run(Source("a.mnt", "PRINT 1\n")))
-    for name in ("moves", "printed", "switched", "analogue_outputs", "written", "events", "axes"):
+    for name in ("moves", "switched", "analogue_outputs", "written", "events", "axes"):
         assert f'\n "{name}": [],\n' in document
 
 
