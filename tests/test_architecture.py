@@ -18,6 +18,7 @@ pytestmark = pytest.mark.usefixtures("package_trees")
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "motionlang"
+EXPLORE = ROOT / "extras" / "explore" / "motionlang_explore"
 PAGES = [
     (ROOT / "docs" / "contributing" / name).read_text(encoding="utf-8")
     for name in ("architecture.md", "kernel.md")
@@ -38,18 +39,23 @@ HOMES: dict[str, tuple[str, ...]] = {
 }
 # Files whose sums are of integers, although their text does not show it.
 WHOLE_SUMS = {
-    "commands/panel/state.py",
+    "panel/state.py",
     "kernel/log/cycle.py",
     "kernel/log/log.py",
     "kernel/log/stream.py",
     "kernel/controller/feedback.py",
     "commands/check/rules/mixed_operators.py",
     "commands/check/rules/never_started.py",
-    "commands/init/recorded/judging.py",
+    "init/recorded/judging.py",
     "kernel/mint/runtime/environment.py",
     "views/table.py",
 }
-FILES = sorted(PACKAGE.rglob("*.py"))
+FILES = [*sorted(PACKAGE.rglob("*.py")), *sorted(EXPLORE.rglob("*.py"))]
+
+
+def within(path: Path) -> str:
+    """Return the path of a file within its package."""
+    return path.relative_to(EXPLORE if EXPLORE in path.parents else PACKAGE).as_posix()
 
 
 @cache
@@ -179,9 +185,9 @@ def test_the_homes_of_libraries_exist() -> None:
         assert (PACKAGE / home).exists(), home
 
 
-@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
+@cases("path", FILES, ids=within)
 def test_heavy_libraries_stay_at_home(path: Path) -> None:
-    relative = path.relative_to(PACKAGE).as_posix()
+    relative = within(path)
     for module in imports(path):
         homes = HOMES.get(module.split(".")[0])
         assert homes is None or relative.startswith(homes), f"{relative} imports {module}"
@@ -191,7 +197,7 @@ def test_no_private_module_of_python_is_imported() -> None:
     """`_thread` is documented; `__future__` is public; `_typeshed` is for types only."""
     allowed = {"_thread", "_typeshed"}
     private = {
-        f"{path.relative_to(PACKAGE).as_posix()}: {name}"
+        f"{within(path)}: {name}"
         for path in FILES
         for name in imports(path)
         if name.startswith("_") and not name.startswith("__") and name not in allowed
@@ -201,7 +207,7 @@ def test_no_private_module_of_python_is_imported() -> None:
 
 @cache
 def roots() -> tuple[Path, ...]:
-    packages = (PACKAGE, ROOT / "extras" / "explore" / "motionlang_explore")
+    packages = (PACKAGE, EXPLORE)
     return (
         ROOT,
         ROOT / "tests",
@@ -258,11 +264,11 @@ def float_sums(nodes: Sequence[ast.AST]) -> list[int]:
     return [node.lineno for node in names if node not in counting]
 
 
-@cases("path", FILES, ids=lambda path: path.relative_to(PACKAGE))
+@cases("path", FILES, ids=within)
 def test_no_figure_comes_from_the_builtin_sum(path: Path) -> None:
     """From Python 3.12 on, `sum` rounds floats differently than before.
 
     `tools.total`, `math.fsum` and plain additions give the same result in every version.
     """
     found = float_sums(nodes_of(path))
-    assert bool(found) is (path.relative_to(PACKAGE).as_posix() in WHOLE_SUMS), f"sum() on lines {found}"
+    assert bool(found) is (within(path) in WHOLE_SUMS), f"sum() on lines {found}"

@@ -43,6 +43,7 @@ def test_the_ballscrew_exercise_field_by_field() -> None:
                 ],
             }
         ],
+        "printed": [],
         "switched": [],
         "analogue_outputs": [],
         "written": [],
