@@ -18,8 +18,8 @@ def installation(folder: str) -> str:
     return f"python -m pip install ./extras/{folder}"
 
 
-def brought(name: str) -> object:
-    """Return a name of `NAMES`; ImportError if its distribution is not installed."""
+def brought(name: str, user: str = "") -> object:
+    """Return a name of `NAMES`, which a `user` needs; ImportError if its distribution is not installed."""
     from importlib.metadata import entry_points  # as slow as a tenth of a short run, which needs none
 
     folder = NAMES[name]
@@ -27,4 +27,4 @@ def brought(name: str) -> object:
         if each.dist is not None and each.dist.name == f"motionlang-{folder}":
             found: object = each.load()
             return found
-    raise ImportError(f"{name} needs motionlang-{folder}: {installation(folder)}")
+    raise ImportError(f"{user or name} needs motionlang-{folder}: {installation(folder)}")

@@ -155,7 +155,7 @@ def diff(
     if explore:
         if tolerances or not all(isinstance(side, str | os.PathLike | Source) for side in (old, new)):
             raise ValueError("explore=True needs two programs, and no tolerances")
-        ways_of = cast("Callable[..., Any]", brought("ways_of"))
+        ways_of = cast("Callable[..., Any]", brought("ways_of", "diff with explore=True"))
         return ways_of(*(source_of(side) for side in (old, new)))  # type: ignore[arg-type]
     from motionlang.commands.diff.runs import compared_runs
     from motionlang.comparison.tolerance import Tolerance
