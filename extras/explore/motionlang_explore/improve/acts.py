@@ -68,6 +68,16 @@ def acts_of(run: Run, tasks: Tasks) -> dict[str, list[OrderedAct]]:
         (continued.add if move.ended == CONTINUED else continued.discard)(move.axis)
     happened = [(each.time, 1, each.at, f"output {each.channel} = {each.value}") for each in log.outputs]
     happened += [
+        (each.time, 1, each.at, f"analogue output {each.channel} = {each.value:.6g}")
+        for each in log.analogue_outputs
+    ]
+    # What a host reads may change all the time; the outputs of a node are like the others.
+    happened += [
+        (each.time, 1, each.at, f"{each.target} = {each.value:.6g}")
+        for each in log.writes
+        if " of node " in each.target
+    ]
+    happened += [
         (each.time, 2, each.at, repr(" ".join(without_figures(each.text).split()))) for each in log.prints
     ]
     for time, kind, at, text in happened:

@@ -6,11 +6,11 @@ what others set to these, and each task to its own moves:
 
     overlap   an output or the begin of a move that never came while an axis moved must not come while it moves
     place     the other axes are where they were at the begin and the end of each move, at each output and print. An act
-              of another task is bound if it comes at the same place of a move in every cycle, unless it answers an
-              input that follows no axis, or comes as long after such an answer. An axis that jogs binds only in this
-              way, too
+              of a task that reads what the task of a move sets is bound to its place there, and every act to an axis
+              that an input follows, unless it answers an input that follows no axis, or comes as long after such an
+              answer. An axis that jogs binds only an act that comes at the same place in every cycle
 
-An act that does not come equally often in every cycle, such as that of a thermostat, is bound to no other task.
+A value that a host reads may change all the time, and is no act.
 """
 
 from __future__ import annotations
@@ -52,6 +52,8 @@ class Behaviour:
         self._ends, self._grave = _ends(run), _grave(run)
         self._acts = acts_of(run, tasks)
         self._answers = sorted(_answer_times(run))
+        # The axes that inputs follow, so that what answers one is bound to its axis.
+        self._watched = {each["axis"] for each in _inputs(run) if "axis" in each}
         self._polls = polls_of(run, tasks, self._acts)
         # By task, line and text: the axes that move as it comes, and its places by cycle.
         self._overlaps: dict[ActKey, set[tuple[int, bool]]] = {}
@@ -146,9 +148,10 @@ class Behaviour:
                 return f"{what[at[1]]} while axis {at[0]} moves"
         for at, place in mine.items():
             mover = self._tasks.at(place.line)
-            is_bound = task == mover or (self._tasks.reads(task, mover) and not is_answer)
+            depends = self._tasks.reads(task, mover) or at[0] in self._watched
+            is_bound = task == mover or (depends and not is_answer)
             places = self._places(key, was, at) if is_bound else []
-            if not places and task == mover and place.left < inf:
+            if not places and is_bound and place.left < inf:
                 places = [place]
             other = others.get(at)
             if places and not any(self._is_same(key, other, each, EXACT) for each in places):
@@ -188,18 +191,20 @@ class Behaviour:
         return all(abs(end - self._ends.get(axis, end)) <= SAME for axis, end in _ends(run).items())
 
 
+def _inputs(run: Run) -> list[dict[str, object]]:
+    return run.machine.settings.get("input", [])  # type: ignore[return-value]
+
+
 def _fixed_times(run: Run) -> Iterator[float]:
     """Yield the times at which inputs change by the clock alone."""
-    entries: list[dict[str, object]] = run.machine.settings.get("input", [])  # type: ignore[assignment]
     yield from (
-        at for each in entries if isinstance(at := each.get("at"), (int, float)) and "asked" not in each
+        at for each in _inputs(run) if isinstance(at := each.get("at"), (int, float)) and "asked" not in each
     )
 
 
 def _answer_times(run: Run) -> Iterator[float]:
     """Yield the times at which inputs change that follow outputs or the clock, not an axis."""
-    entries: list[dict[str, object]] = run.machine.settings.get("input", [])  # type: ignore[assignment]
-    by_axis = {each["channel"] for each in entries if "axis" in each}
+    by_axis = {each["channel"] for each in _inputs(run) if "axis" in each}
     yield from (each.time for each in run.machine.log.inputs if each.channel not in by_axis)
 
 
