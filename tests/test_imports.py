@@ -26,6 +26,8 @@ HEAVY = {"lark", "matplotlib", "numpy", "prompt_toolkit", "rich"}
 LAZY = {
     # Lazy packages: each opens a family of modules; most programs need few. That of the command line
     # is the table of its commands.
+    # Commands that show findings need no rules.
+    "commands/check/__init__.py": "linter",
     "kernel/mccl/__init__.py": "keywords keywords.row keywords.switchable models",
     "kernel/mint/__init__.py": "keywords keywords.latches keywords.machine_readings keywords.switchable models "
     "resolve.aliases runtime.task",

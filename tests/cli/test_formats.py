@@ -58,7 +58,9 @@ def test_junit_keeps_line_ends(cell: Cell) -> None:
     assert failure.text is not None
     assert "\u240a" not in failure.text
     assert failure.text.splitlines()[:2] == [
-        "error[golden]: a.mnt: differs", "    A 'a' after 0.00 s, B 'b', then 'c' after 0.00 s"]  # fmt: skip
+        "error[golden]: a.mnt: differs",
+        "    A 'a' after 0.00 s, B 'b', then 'c' after 0.00 s (line 1 of A, line 1 of B)",
+    ]
 
 
 def test_junit_counts_files(cell: Cell) -> None:

@@ -46,7 +46,7 @@ from tests.mutants.forks import (
     merged,
     within_budget,
 )
-from tests.mutants.mutate import PACKAGE, ROOT, Mutant, chosen, files, woven
+from tests.mutants.mutate import EXPLORE, PACKAGE, ROOT, Mutant, chosen, files, woven
 from tests.mutants.recorder import ACTIVE
 
 # Mutants without a visible effect, by name, each with the reason.
@@ -76,6 +76,7 @@ install()
 def default_tests() -> list[str]:
     """Return the tests that can run against mutants, as paths relative to the project."""
     found = [path for path in (ROOT / "tests").iterdir() if path.name not in NOT_RUN]
+    found.append(EXPLORE / "test_explore")
     return sorted(
         path.relative_to(ROOT).as_posix()
         for path in found
@@ -108,7 +109,8 @@ def pytest(tree: Path, tests: list[str], prove: bool, **environment: str) -> sub
     temporary = tree.parent / f"temporary.{environment.get(WORKER) or environment.get(ACTIVE)}"
     command += ["-p", "no:xdist", "-q", "-s", f"--basetemp={temporary}", *tests]
     command += ["--prove"] * prove
-    given = {"PYTHONPATH": str(tree), **environment}
+    paths = os.pathsep.join(map(str, (tree, tree / EXPLORE.relative_to(ROOT))))
+    given = {"PYTHONPATH": paths, **environment}
     # The active mutant is known by its number, not by the code: all processes share the bytecode of the copy.
     inherited = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
     with open(tree / "pytest.log", "ab") as log:
@@ -198,7 +200,7 @@ def failing(tree: Path, number: int, durations: dict[str, float], active: int | 
 
 def killers(log: str) -> list[str]:
     """Return the tests that killed a mutant in an earlier run and still exist."""
-    found = re.findall(rf"^\d+ killed by (tests/.+?): {PACKAGE.name}/", log, re.MULTILINE)
+    found = re.findall(rf"^\d+ killed by ((?:tests|extras)/.+?): (?:{PACKAGE.name}|extras)/", log, re.MULTILINE)
     return sorted({name for name in found if (ROOT / name.partition("::")[0]).exists()})
 
 

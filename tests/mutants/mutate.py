@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "motionlang"
+EXPLORE = ROOT / "extras" / "explore"
 
 _COMPARED: dict[type[ast.cmpop], type[ast.cmpop]] = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
@@ -53,7 +54,8 @@ class Mutant(NamedTuple):
     @property
     def package(self) -> str:
         """The top-level package of the mutant; "root" for files outside the packages."""
-        components = self.path.relative_to(PACKAGE).parts
+        package = EXPLORE if EXPLORE in self.path.parents else PACKAGE
+        components = self.path.relative_to(package).parts
         in_house = len(components) > 2 and components[0] in ("kernel", "commands", "lab", "ide")
         return components[1] if in_house else components[0] if len(components) > 1 else "root"
 
@@ -69,8 +71,9 @@ GENERATED = (
 
 
 def files() -> list[Path]:
-    """Return all hand-written source files of the package."""
-    return sorted({*PACKAGE.rglob("*.py")} - {PACKAGE / name for name in GENERATED})
+    """Return all hand-written source files of motionlang and motionlang-explore."""
+    explore = (EXPLORE / "motionlang_explore").rglob("*.py")
+    return sorted({*PACKAGE.rglob("*.py"), *explore} - {PACKAGE / name for name in GENERATED})
 
 
 @cache
