@@ -200,7 +200,9 @@ def failing(tree: Path, number: int, durations: dict[str, float], active: int | 
 
 def killers(log: str) -> list[str]:
     """Return the tests that killed a mutant in an earlier run and still exist."""
-    found = re.findall(rf"^\d+ killed by ((?:tests|extras)/.+?): (?:{PACKAGE.name}|extras)/", log, re.MULTILINE)
+    found = re.findall(
+        rf"^\d+ killed by ((?:tests|extras)/.+?): (?:{PACKAGE.name}|extras)/", log, re.MULTILINE
+    )
     return sorted({name for name in found if (ROOT / name.partition("::")[0]).exists()})
 
 
