@@ -164,7 +164,8 @@ class Process:
     def _shots_of(self, on: _On) -> Iterator[int]:
         """Yield the numbers of the times that an output is on while an axis moves, and off when that stops.
 
-        The same goes for axes that start together. An output that is on during all moves of an axis follows it.
+        The same goes for axes that start together; one that still moves then does not count. An output that is on
+        during all moves of an axis follows it.
         """
         first, last = (self._starts[0], self._starts[: CYCLES + 1][-1]) if self._starts else (-inf, inf)
         work = [
@@ -178,6 +179,8 @@ class Process:
             during = [
                 m for m in work if _is_during(m, begin, end) and self._is_bound(on, self._tasks.at(m.line))
             ]
+            goes_on = {move.axis for move in during if _end(move) >= end + SHORT}
+            during = [move for move in during if move.axis not in goes_on]
             axes = {move.axis for move in during}
             begins = {tuple(move.start_time for move in during if move.axis == axis) for axis in axes}
             is_one = all(after.start_time < _end(before) + LATE for before, after in pairwise(during))

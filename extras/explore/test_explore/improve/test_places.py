@@ -58,3 +58,26 @@ def test_the_place_of_an_act_is_kept(text: str, machine: str, held: str, cell: C
     out = cell("improve", "bead.mnt").out
     assert "note: SPEED[0]" in out
     assert held in out
+
+
+@pytest.mark.slow
+def test_an_output_that_goes_off_with_one_axis_is_held_while_another_one_moves(cell: Cell) -> None:
+    cell.write(
+        "two.mnt",
+        """\
+SPEED(0) = 200 : ACCEL(0) = 2000 : DECEL(0) = 2000
+SPEED(1) = 100 : ACCEL(1) = 2000 : DECEL(1) = 2000
+For n = 1 To 4
+  OUTX(1) = _ON
+  MOVEA(0) = 300 : GO(0)
+  MOVEA(1) = 50 : GO(1) : PAUSE IDLE(1)
+  OUTX(1) = _OFF
+  PAUSE IDLE(0)
+  MOVEA(0, 1) = 0; : GO(0, 1) : PAUSE IDLE(0) And IDLE(1)
+Next
+""",
+    )
+    cell.write("two.machine.toml", LIMITS + LIMITS.replace("axis.0", "axis.1"))
+    out = cell("improve", "two.mnt").out
+    assert "no edit gains anything" in out
+    assert "its axis moves with that of SPEED[1]@2, which stays" in out
