@@ -1,1 +1,1 @@
-"""What programs did, and how it differs: acts of two runs, ways or reports, aligned in order and compared in time."""
+"""Acts of two runs, ways or reports: moves, outputs and prints, aligned in order and then compared in time."""

@@ -8,6 +8,7 @@ import pytest
 
 from motionlang.cli import main
 from motionlang.kernel import Source, dialect_of
+from motionlang_explore.diff.changed import changed_programs
 from motionlang_explore.exploration import explore
 from motionlang_explore.map.behaviour import behaviour_of
 from motionlang_explore.map.names import ReaderNames
@@ -21,6 +22,7 @@ OF_COMMANDS = {
     "map": ("labels.prg", "events.mnt"),
     "cover": ("ifs.mnt", "jumps.mcl"),
     "explore": ("select.mnt", "table.mcl"),
+    "changes": ("flat.mnt", "tasks.mnt", "events.mnt"),
 }
 # Each of so many tasks and handlers looks at what each other one does, so a run to their end is no measure.
 MANY_TASKS = ("tasks.mnt", "events.mnt")
@@ -33,8 +35,17 @@ def _work(command: str, name: str, text: str) -> None:
     arguments = {"map": ["map", name, "--no-run"], "cover": ["cover", name, *UNTIL]}
     if command == "explore":
         _explore(name, text)
+    elif command == "changes":
+        _changes(name, text)
     else:
         main(arguments[command])
+
+
+def _changes(name: str, text: str) -> None:
+    """Find what `diff --explore` takes for changed in two equal programs."""
+    language = dialect_of(name)
+    assert language is not None
+    changed_programs(*(language.program(Source(name, each), is_debug=True) for each in (text, text)))
 
 
 def _explore(name: str, text: str) -> None:

@@ -1,7 +1,4 @@
-"""`motionlang diff A [B]`: compare two runs, or a run with its golden files.
-
-B may also be a recording from a real controller.
-"""
+"""`motionlang diff A [B]`: compare two runs of programs, values or machines."""
 
 from __future__ import annotations
 

@@ -103,7 +103,7 @@ def _words(expected: Any, now: Mapping[str, Any], has_tasks: bool) -> list[str]:
     try:
         acts = compared(_way(expected, has_tasks), _way(now, has_tasks), EXACT)
     except (KeyError, TypeError) as error:
-        raise ValueError(f"its moves or events lack {error}") from None
+        raise ValueError(f"it lacks {error}") from None
     lines = grouped_words(acts.differences, acts.later)
     is_shown = tuple(f"{name}[" for name in ("output", *ACTS)) if lines else ()
     others = [path for path in changed if not path.startswith(is_shown)] if is_shown else changed

@@ -187,9 +187,9 @@ class Log:
         """Write an event with the current source offset."""
         self.events.add(Event(time, kind, axis, value, limit, self.where(), ordered, text))
 
-    def write(self, time: float, target: str, value: float) -> None:
+    def write(self, time: float, target: str, value: float, is_output: bool = False) -> None:
         """Log that the program wrote another value into a place that others read."""
-        self.writes.add(Written(time, target, value, *self.origin()))
+        self.writes.add(Written(time, target, value, *self.origin(), is_output))
 
     def repeat_waits(self, task: str, began: float, period: float, count: int) -> None:
         """Log that the waits of a task since `began` repeat, each `period` later.

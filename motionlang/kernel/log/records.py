@@ -27,13 +27,17 @@ class Switched(NamedTuple):
 
 
 class Written(NamedTuple):
-    """The program wrote another value for its host or into another device; `target` names the place."""
+    """The program wrote another value for its host or into another device; `target` names the place.
+
+    `is_output` is True for an output of a node, which acts on the machine.
+    """
 
     time: float
     target: str
     value: float
     at: int
     chain: int
+    is_output: bool = False
 
 
 class Sampled(NamedTuple):

@@ -59,8 +59,9 @@ class ChangedProgram:
         self.pairs: dict[int, int] = {}
         # What a run carries out, but for what nothing leads to: debug builds begin statements, and the tests of a Case
         # and of an Until come out.
-        self._offsets = {each.at for each in coverage(self.structure, program.offsets, {}).statements}
-        tests = {at for at, each in statements.items() if each.condition and at not in program.offsets}
+        offsets = program.offsets  # worked out anew at each access
+        self._offsets = {each.at for each in coverage(self.structure, offsets, {}).statements}
+        tests = {at for at, each in statements.items() if each.condition and at not in offsets}
         self._played = self._offsets | tests
         self.changed: set[int] = set()
         # Those of them that print the same values in another format, which the text shows whenever they print.
@@ -81,39 +82,48 @@ class ChangedProgram:
         """Give assignments that follow each other one order if each could be made before the others."""
         points, uses = self.structure.points, self._assigned()
         following: dict[int, set[int]] = {}
-        for p, point in enumerate(points):
+        for p, point in enumerate(points if uses else ()):
             following.setdefault(point.at, set()).update(at for at in self._next(p) if at != point.at)
         leading = Counter(after for some in following.values() for after in some)
         group: list[int] = []
+        sets, reads = set[int](), set[int]()
         for at in [*sorted(uses), -1]:
             joins = group and at in uses and following[group[-1]] == {at} and leading[at] == 1
-            if joins and all(_may_swap(uses[at], uses[other]) for other in group):
+            if joins and sets.isdisjoint(uses[at].sets | uses[at].reads) and reads.isdisjoint(uses[at].sets):
                 group.append(at)
-                continue
-            ordered = sorted(group, key=self.forms.__getitem__)
-            self._written.update(zip(group, ordered, strict=True))
-            self.forms.update(zip(group, [self.forms[each] for each in ordered], strict=True))
-            group = [at]
+            else:
+                ordered = sorted(group, key=self.forms.__getitem__)
+                self._written.update(zip(group, ordered, strict=True))
+                self.forms.update(zip(group, [self.forms[each] for each in ordered], strict=True))
+                group, sets, reads = [at], set(), set()
+            if at in uses:
+                sets |= uses[at].sets
+                reads |= uses[at].reads
 
     def _assigned(self) -> dict[int, Uses]:
         """Return the assignments to one variable, from variables alone, that no other task or handler reads."""
         structure, graph = self.structure, self.structure.graph
-        reached = [graph.reached(each.entry) for each in structure.units if each.kind in _STARTED]
+        # What begins by itself, by the point that only it reaches; what is behind a shared point is shared.
+        owners: dict[int, int] = {}
+        shared: set[int] = set()
+        for unit in structure.units:
+            if unit.kind in _STARTED:
+                reached = graph.reached(unit.entry, known=shared)
+                shared |= reached & owners.keys()
+                owners.update(dict.fromkeys(reached, unit.entry))
         readers: dict[int, set[int]] = {}
-        for k, some in enumerate(reached):
-            for p in some:
-                use = graph.uses[p]
-                for n in (_ANY,) if use is None else use.reads:
-                    readers.setdefault(n, set()).add(k)
+        for p, owner in owners.items():
+            use = graph.uses[p]
+            for n in (_ANY,) if use is None else use.reads:
+                readers.setdefault(n, set()).add(-1 if p in shared else owner)
         found: dict[int, Uses] = {}
-        for p, use in enumerate(graph.uses):
-            at = graph.points[p].at
+        for p in owners.keys() - shared:
+            use, at = graph.uses[p], graph.points[p].at
             if use is None or len(use.sets) != 1 or use.parts or not _ASSIGNS.match(self.forms.get(at, "")):
                 continue
-            owners = {k for k, some in enumerate(reached) if p in some}
-            others = {k for n in (*use.sets, _ANY) for k in readers.get(n, ())} - owners
+            others = {k for n in (*use.sets, _ANY) for k in readers.get(n, ())} - {owners[p]}
             statement = structure.statements[at]
-            if len(owners) == 1 and not others and not statement.uses and not statement.channels:
+            if not others and not statement.uses and not statement.channels:
                 found[at] = use
         return found
 
@@ -210,10 +220,6 @@ class ChangedProgram:
                     stack.append(after)
 
 
-def _may_swap(one: Uses, other: Uses) -> bool:
-    return not (one.sets & (other.sets | other.reads) or other.sets & one.reads)
-
-
 def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedProgram]:
     """Return two programs with the statements of each that the other one does not have, or that lead elsewhere."""
     first, second = ChangedProgram(a), ChangedProgram(b)
@@ -274,5 +280,6 @@ def _renamed(a: ChangedProgram, b: ChangedProgram) -> dict[str, str]:
     names: Sequence[dict[str, None]] = [
         dict.fromkeys(chain.from_iterable(map(_NAMES.findall, each.forms.values()))) for each in (a, b)
     ]
-    own, other = ([each for each in names[k] if each not in names[1 - k].keys() | handlers] for k in (0, 1))
+    known = [each.keys() | handlers for each in names]
+    own, other = ([each for each in names[k] if each not in known[1 - k]] for k in (0, 1))
     return dict(zip(other, own, strict=False))

@@ -73,9 +73,7 @@ def acts_of(run: Run, tasks: Tasks) -> dict[str, list[OrderedAct]]:
     ]
     # What a host reads may change all the time; the outputs of a node are like the others.
     happened += [
-        (each.time, 1, each.at, f"{each.target} = {each.value:.6g}")
-        for each in log.writes
-        if " of node " in each.target
+        (each.time, 1, each.at, f"{each.target} = {each.value:.6g}") for each in log.writes if each.is_output
     ]
     happened += [
         (each.time, 2, each.at, repr(" ".join(without_figures(each.text).split()))) for each in log.prints

@@ -131,7 +131,7 @@ class Nodes:
 
     def _log_write(self, bus: int, node: int, what: str, channel: int, value: float) -> None:
         target = f"{what.replace('-', ' ')} {channel} of node {node} of bus {bus}"
-        self.environment.machine.log.write(self._clock.now, target, value)
+        self.environment.machine.log.write(self._clock.now, target, value, is_output=True)
 
     def written(self) -> list[dict[str, object]]:
         """Return the values that the program has written to nodes, as report rows."""
