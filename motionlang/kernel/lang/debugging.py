@@ -81,6 +81,9 @@ class Hook:
     def compared(self, left: object, right: object) -> None:
         """Take note of both sides of a comparison of the statement that has begun last."""
 
+    def tested(self, number: object) -> None:
+        """Take note of a number whose truth decides in the statement that has begun last."""
+
 
 class Observer(Protocol):
     """An observer of the steps that a run takes.

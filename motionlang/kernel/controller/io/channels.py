@@ -13,6 +13,7 @@ from motionlang.kernel.controller.io.sensor import Sensor
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.records import Changed, Switched
 from motionlang.kernel.log.stream import Stream
+from motionlang.kernel.traced import reading
 
 
 class Channels:
@@ -35,6 +36,7 @@ class Channels:
         "listeners",
         "observer",
         "table",
+        "traces",
     )
 
     def __init__(
@@ -51,6 +53,7 @@ class Channels:
         # True while its values are only supposed.
         self.is_supposed = False
         self.observer: ReadObserver | None = None
+        self.traces = False
 
     def __getitem__(self, channel: int) -> float:
         if self.observer is not None:
@@ -161,9 +164,10 @@ class AnalogueInputs(Channels):
     def __getitem__(self, channel: int) -> float:
         if self.observer is not None:
             self.observer(self.table, channel)
-        if channel in self.computed and (level := self.computed[channel].level()) is not None:
-            return level
-        return self._values.get(channel, 0)
+        level = self.computed[channel].level() if channel in self.computed else None
+        if level is None:
+            level = self._values.get(channel, 0)
+        return reading(level, self.table, channel) if self.traces else level
 
     def set(self, channel: int, value: float) -> bool:
         """Set a channel; return True if that changed it."""

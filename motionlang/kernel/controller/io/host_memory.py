@@ -9,13 +9,14 @@ a zero byte (AN00200 p. 8).
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from math import inf
+from math import inf, nan
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
 from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.tools import signed
+from motionlang.kernel.traced import reading
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.state import ControllerState
@@ -25,6 +26,8 @@ Listener = Callable[[str, int, bool], None]
 # Area -> (first element, last element).
 AREAS = {"comms": (1, 99), "netdata": (0, 999)}
 # Their printed names.
+# What a host writes is a number of the first view for NetData, and of the second one for the comms array.
+_FACTORS = {"comms": (nan, 1.0), "netdata": (1.0, nan)}
 _CALLED = {"comms": "the comms array", "netdata": "NetData"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
 PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
@@ -52,13 +55,15 @@ class HostMemory:
         self._written = written
         self.mapping = mapping
         self.observer: ReadObserver | None = None
+        self.traces = False
 
     # ------------------------------------------------------------------------------------- the program's side
 
     def integer(self, area: str, element: int) -> int:
         if self.observer is not None:
             self.observer(area, element)
-        return self._words[area][_checked(area, element)]
+        word = self._words[area][_checked(area, element)]
+        return reading(word, area, element, factor=_FACTORS[area][0]) if self.traces else word
 
     def set_integer(self, area: str, element: int, value: int) -> None:
         self._set(self._words, area, element, value)
@@ -66,7 +71,8 @@ class HostMemory:
     def real(self, area: str, element: int) -> float:
         if self.observer is not None:
             self.observer(area, element)
-        return self._floats[area][_checked(area, element)]
+        value = self._floats[area][_checked(area, element)]
+        return reading(value, area, element, factor=_FACTORS[area][1]) if self.traces else value
 
     def set_real(self, area: str, element: int, value: float) -> None:
         if not abs(value) < _LARGEST_FLOAT:

@@ -14,6 +14,8 @@ class ObservedPlace(Protocol):
 
     # Called before a value is read; None without an observer.
     observer: ReadObserver | None
+    # True if what is read is a number that knows its channel (`kernel/traced.py`).
+    traces: bool
 
 
 class ReadObservers:
@@ -24,16 +26,24 @@ class ReadObservers:
         self._observers: list[ReadObserver] = []
         # What the places call.
         self._called: ReadObserver | None = None
+        # True if the places return traced numbers.
+        self.traces = False
 
     def join(self, place: ObservedPlace) -> None:
         """Let a place call the observers of now and later."""
         self._places.append(place)
-        place.observer = self._called
+        place.observer, place.traces = self._called, self.traces
 
     def add(self, observer: ReadObserver) -> None:
         """Call an observer with each value that the program reads from now on, before the others."""
         self._observers.insert(0, observer)
         self._call(observer if len(self._observers) == 1 else self._call_all)
+
+    def trace(self) -> None:
+        """Let all places return traced numbers from now on."""
+        self.traces = True
+        for place in self._places:
+            place.traces = True
 
     def replaced(self, observer: ReadObserver | None = None) -> ReplacedObservers:
         """Return a block in which only `observer` is called, if any, since not the program reads there."""

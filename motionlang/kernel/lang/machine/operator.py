@@ -14,6 +14,7 @@ from motionlang.kernel.controller.io.asking import AskedRule, Responder
 from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.controller.state import ControllerState
 from motionlang.kernel.lang.machine.terminal import Terminal
+from motionlang.kernel.traced import reading
 
 Entry = Mapping[str, object]
 
@@ -45,6 +46,7 @@ class Operator:
         self._typed = ""
         self._held_key, self._until = 0, -1.0
         self.observer: ReadObserver | None = None
+        self.traces = False
         # The lines typed ahead: the text, and the prompt that it answers ("" for any).
         self.lines: list[tuple[str, str]] = []
         self._number = number
@@ -108,13 +110,15 @@ class Operator:
         """Return the next pressed key, or 0 if there is none."""
         if self.observer is not None:
             self.observer("key", self._number)
-        return self.keys.pop(0) if self.keys else 0
+        key = self.keys.pop(0) if self.keys else 0
+        return reading(key, "key", 0) if self.traces else key
 
     def held_key(self) -> int:
         """Return the key that is held down now, or 0."""
         if self.observer is not None:
             self.observer("key", self._number)
-        return self._held_key if self._clock.now < self._until else 0
+        key = self._held_key if self._clock.now < self._until else 0
+        return reading(key, "key", 0) if self.traces else key
 
     @property
     def question(self) -> str:

@@ -56,7 +56,7 @@ def tell_register(task: CommandTask, command: Command) -> None:
 def wrapped(value: float | int) -> float | int:
     """Wrap an integer to 32 bits, two's complement; return a real number unchanged."""
     if isinstance(value, int):
-        return signed(value)
+        return value if -0x80000000 <= value <= 0x7FFFFFFF else signed(value)
     if not abs(value) <= LARGEST:
         raise too_large()
     return value

@@ -19,6 +19,7 @@ from motionlang.kernel.mint.keywords.event_kinds import NUMBERS
 from motionlang.kernel.mint.runtime.binding import Operation, of, of_word
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.tools import signed
+from motionlang.kernel.traced import bits
 
 LAST_CHANNEL = NUMBERS["in"][-1]
 # Seconds between two samples of an input [MN1270 p. 95]; a change at the moment of a sample is in that sample.
@@ -121,6 +122,11 @@ class Inputs:
             self._environment.acts += 1
         return found
 
+    def traced(self, word: int, first: int, count: int = 1) -> int:
+        """Return a word with the states of inputs, from `first` on, as a number that knows them if the run traces."""
+        inputs = self._controller.inputs
+        return bits(word, "input", first, count, inputs.present) if inputs.traces else word
+
     def _bit(self, name: str, channel: int) -> int:
         return self.pattern(name, channel // BANK) >> channel % BANK & 1
 
@@ -193,29 +199,29 @@ def checked(number: int, last: int = LAST_CHANNEL, what: str = "input") -> int:
 
 def read_bank(environment: Environment, row: Keyword) -> Operation:
     inputs = environment.component(Inputs)
-    return lambda bank: bits_of(bank, inputs.read)
+    return lambda bank: inputs.traced(bits_of(bank, inputs.read), bank * BANK, BANK)
 
 
 def read_bit(environment: Environment, row: Keyword) -> Operation:
     """INX: make the operation that reads an input."""
-    inputs, is_on = environment.component(Inputs), environment.controller.inputs.inverted
+    inputs, levels = environment.component(Inputs), environment.controller.inputs
 
     def read(channel: int) -> int:
-        if inputs.shows_levels and 0 <= channel <= LAST_CHANNEL:
-            return 1 if is_on(channel) else 0
-        return int(inputs.read(checked(channel)))
+        if inputs.shows_levels and 0 <= channel <= LAST_CHANNEL and not levels.traces:
+            return 1 if levels.inverted(channel) else 0
+        return inputs.traced(int(inputs.read(checked(channel))), channel)
 
     return read
 
 
 def read_level_bank(environment: Environment, row: Keyword) -> Operation:
     inputs = environment.component(Inputs)
-    return lambda bank: bits_of(bank, inputs.level)
+    return lambda bank: inputs.traced(bits_of(bank, inputs.level), bank * BANK, BANK)
 
 
 def read_level_bit(environment: Environment, row: Keyword) -> Operation:
     inputs = environment.component(Inputs)
-    return lambda channel: int(inputs.level(checked(channel)))
+    return lambda channel: inputs.traced(int(inputs.level(checked(channel))), channel)
 
 
 def _bank(bank: int) -> int:

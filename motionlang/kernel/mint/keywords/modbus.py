@@ -19,6 +19,7 @@ from motionlang.kernel.lang.machine.keys import DRIVES
 from motionlang.kernel.mint.runtime.binding import Maker, of
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.traced import reading
 
 Entry = Mapping[str, object]
 
@@ -43,6 +44,7 @@ class Servers:
         self._clock, self._machine = environment.clock, environment.machine
         self._controller = environment.controller
         self.observer: ReadObserver | None = None
+        self.traces = False
         self._servers: dict[int, RegisterServer] = {}
         for entry in self._entries("modbus.server"):
             self._declare(entry)
@@ -108,7 +110,13 @@ class Servers:
         if self.observer is not None:
             self.observer("modbus.register", number * (LAST + 1) + register)
         words = self._reached(number, register, count).words
-        return [words.get(register + k, 0) for k in range(count)]
+        found = [words.get(register + k, 0) for k in range(count)]
+        if self.traces:
+            found = [
+                reading(word, "modbus.register", number * (LAST + 1) + register + k)
+                for k, word in enumerate(found)
+            ]
+        return found
 
     def write(self, number: int, register: int, value: float, width: str) -> None:
         words = words_of(value, width)

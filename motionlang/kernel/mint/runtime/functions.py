@@ -33,7 +33,7 @@ def integer(value: float) -> int:
     That the fraction is dropped is an assumption (docs/contributing/assumptions.md).
     """
     try:
-        whole = int(value)
+        whole = math.trunc(value)
     except (ValueError, OverflowError):
         raise Rejected("overflow", f"{show_float(value)} has no Integer value", "") from None
     return whole if INT_LOW <= whole <= INT_HIGH else overflow(whole)
@@ -88,7 +88,7 @@ def index(value: int, size: int) -> int:
 
 def subscript(value: float, size: int) -> int:
     """Return a subscript; raise Rejected if it is outside the array."""
-    whole = value if type(value) is int else integer(value)
+    whole = value if isinstance(value, int) else integer(value)
     return whole if 1 <= whole <= size else index(whole, size)
 
 
@@ -118,7 +118,7 @@ def _number(name: str, function: Callable[..., float], *arguments: float) -> flo
 
 
 def absolute(value: float) -> float:
-    return overflow(2**31) if value == INT_LOW and type(value) is int else abs(value)
+    return overflow(2**31) if value == INT_LOW and isinstance(value, int) else abs(value)
 
 
 def sign(value: float) -> int:
@@ -204,13 +204,13 @@ def character(number: float) -> str:
 
 
 def shown(value: float) -> str:
-    return show_integer(value) if type(value) is int else show_float(value)
+    return show_integer(value) if isinstance(value, int) else show_float(value)
 
 
 def shown_by(machine: Machine) -> Callable[[float], str]:
     """Return the function `shown` for a machine that prints Floats differently."""
     show = shows_float(machine)
-    return lambda value: show_integer(value) if type(value) is int else show(value)
+    return lambda value: show_integer(value) if isinstance(value, int) else show(value)
 
 
 def value(text: str) -> float:

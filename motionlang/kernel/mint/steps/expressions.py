@@ -62,7 +62,22 @@ def linear(w: UnitWriter, node: nodes.Expr) -> Value:
 
 def condition(w: UnitWriter, node: nodes.Expr) -> Get:
     """Return the function for the truth of a condition."""
-    return value(w, node).holds
+    return _truth(w, value(w, node))
+
+
+def _truth(w: UnitWriter, found: Value) -> Get:
+    """Return the function for the truth of a value; a debug build reports that of a number."""
+    tested = w.program.tested
+    if tested is None or found.truth is not None:
+        return found.holds
+    get = found.get
+
+    def holds(values: Values) -> Any:
+        number = get(values)
+        tested(number)
+        return number
+
+    return holds
 
 
 def values(w: UnitWriter, given: Iterable[nodes.Expr], work_out: Callable[..., Value] = value) -> list[Value]:
@@ -296,7 +311,7 @@ def _of_two(w: UnitWriter, op: str, left: Value, right: Value) -> Value:
 def _either(w: UnitWriter, op: str, left: Value, right: nodes.Expr) -> Value:
     """And and Or leave out the right side if the left one decides."""
     w.nonlinear |= left.sum_of
-    first = left.holds
+    first = _truth(w, left)
     if not w.has_steps(right):
         second = condition(w, right)
         if op == "And":
@@ -377,9 +392,9 @@ def storing(
     def store(values: Values) -> None:
         new, content, position = get(values), where(values), which(values)
         old = content[position]
-        if new != old or type(new) is not type(old):
+        content[position] = new
+        if new != old or isinstance(new, int) is not isinstance(old, int):
             environment.acts += 1
-            content[position] = new
 
     return store
 

@@ -54,6 +54,8 @@ class ProgramWriter:
         hook = environment.machine.hook
         # What a debug build calls with both sides of each comparison.
         self.report = hook.compared if is_debug and hook is not None else None
+        # What it calls with a number whose truth decides.
+        self.tested = hook.tested if is_debug and hook is not None else None
         self.places = environment.places
         self.is_guarded = handles(names, "onerror")
         self.show_float = shows_float(environment.machine)

@@ -19,6 +19,7 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
 from motionlang.kernel.mint.syntax.unparse import shown
 from motionlang.kernel.tools import clipped
+from motionlang.kernel.traced import reading
 
 
 def wait(w: UnitWriter, given: list[nodes.Expr]) -> None:
@@ -204,4 +205,4 @@ def _take(environment: Environment, as_text: bool, terminal: int, at: int) -> fl
         message = f'the answer "{clipped(text)}" is not a number: INPUT takes {number:.10g}'
         hint = "type a number alone; a controller may ask again (mint.input)"
         environment.machine.complain(Diagnostic("not-a-number", message, line, hint=hint, severity="warning"))
-    return number
+    return reading(number, "answer", at) if environment.controller.reads.traces else number
