@@ -13,9 +13,9 @@ on is a transition. Transitions that return to a state are a cycle.
 
 Search. What was read decides: the trial records which statement has read which channel, and what a state asks for is
 changed (`questions.py`): one channel, then several that one statement has read, then those that were read on the way. A
-level, a number of a host, a register and a key come from comparisons: an unusual value is played, and both sides of the
-comparisons that follow are solved for it (`values.py`). Of a bank of inputs only those count whose change the
-comparisons need; they are found by halves.
+number knows of which readings it was worked out (`motionlang.kernel.traced`). A level, a number of a host, a register
+and a key come from comparisons: an unusual value is played, and each comparison that follows says at which value it
+turns (`values.py`). Of a bank of inputs only those count on which a condition depends.
 
 A state is where the tasks rest (`rests.py`), and what the program remembers there: the variables that decide what it
 does later (`memory.py`). At a place that is known already, what led on there is tried first.

@@ -16,34 +16,28 @@ changes: an input to its other level, a number to the values at which the compar
     as often           an input that is read again behind its change, at rest or in a move, comes and goes one to three
                        times, and as often as the comparisons ask for that differ by the same each time
 
-Cost. A number takes two trials with unusual values to be solved. Of one statement not more than `MAX_TOGETHER`
+Cost. A number takes a trial with an unusual value to be solved. Of one statement not more than `MAX_TOGETHER`
 channels are combined; if all its inputs at once lead on, each that is needed takes some more trials to be told apart.
 """
 
 from __future__ import annotations
 
-from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 from itertools import chain, combinations, pairwise, product
 from math import inf
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from motionlang_explore.exploration.changes import AT_REST, TEXTS, Change, Channel, Moment, levels_at
-from motionlang_explore.exploration.recorder import Comparison
 from motionlang_explore.exploration.rests import BODY, EXACT, SHORTEST_REST, Rest
 from motionlang_explore.exploration.states import Causes, ChangeInMove, StateNode, Visit
 from motionlang_explore.exploration.trials import Trial, TrialMotion
 from motionlang_explore.exploration.values import (
-    ANSWERS,
-    compared_in,
     counts,
     first_write,
-    level_of_bit,
-    probes_of,
+    probe_of,
     solved,
     turning_at,
-    turns,
     usual_answers,
 )
 from motionlang_explore.identification import place
@@ -61,20 +55,20 @@ MARKED, NEAR = (0.4, 0.6), 0.03
 MAX_TOGETHER, MAX_SOLVED = 3, 6
 # A condition has so many channels; a statement that has read more of them contains several conditions.
 MAX_CONDITION = 4
-# A statement that has read more inputs than this reads a bank; a comparison with more pairs of sides has a clock.
-MAX_READ, FEW = 8, 4
+# A statement that has read more inputs than this reads a bank.
+MAX_READ = 8
 
 
 def at_power_up(explorer: Explorer, trial: Trial, rest: Rest | None) -> Iterator[Causes]:
     """Yield the changes at power-up: of each input that is read before the first rest."""
-    read = _read_before(explorer, trial, rest, TriedWay(explorer.nodes[None].first, (), trial))
+    read = read_on_way(explorer, trial, rest)
     yield from ((_flipped(each, {}),) for each in read if each[0] == "input")
 
 
 def one_by_one(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
     """Yield the changes of each channel that was read in a state, and the answers to its question."""
     levels = visit.levels
-    read = _channels(explorer, node, visit)
+    read = _channels(explorer, node)
     inputs = [each for each in read if each[0] == "input"]
     inputs += [("input", each) for each in sorted(explorer.triggers)]
     for channel in dict.fromkeys(inputs):
@@ -121,10 +115,13 @@ def is_read_again(explorer: Explorer, trial: Trial, change: Change) -> bool:
 
 
 def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
-    """Yield the changes of several channels that one statement of a state has read."""
+    """Yield the changes of several channels that one statement of a state has read, or on which it depends."""
     levels = visit.levels
-    for at, read in list(node.reads.items()):
-        channels = _that_matter(explorer, TriedWay(visit), at, list(read))
+    yield from node.codes
+    for at in [*node.reads, *sorted(node.places - node.reads.keys())]:
+        depends = explorer.decided.get(at, set()).intersection(node.channels)
+        read = list(dict.fromkeys((*node.reads.get(at, ()), *sorted(depends))))
+        channels = that_matter(explorer, read, node.places)
         choices = [each for channel in channels if (each := _choices(node, channel, levels))]
         # No comparison has used these numbers yet: the rest of the condition decides first.
         unsolved = [each for each in channels if each[0] not in ("input", *TEXTS) and each not in node.solved]
@@ -175,7 +172,7 @@ def behind(
     explorer: Explorer, node: StateNode, visit: Visit, causes: Causes, trial: Trial, rest: Rest | None
 ) -> Iterator[Causes]:
     """Yield changes that lead on with one more channel that was read behind them, until the next rest, or with more."""
-    read = _read_before(explorer, trial, rest, TriedWay(visit, causes, trial))
+    read = read_on_way(explorer, trial, rest)
     yield from with_more(explorer, node, visit, causes, read)
     changed = {each.channel for each in causes}
     inputs = [each for each in read if each[0] == "input" and each not in changed]
@@ -198,106 +195,41 @@ def with_more(
 
 
 def _read(
-    explorer: Explorer,
-    trial: Trial,
-    since: float,
-    until: float,
-    without: frozenset[int] = frozenset(),
-    way: TriedWay | None = None,
+    explorer: Explorer, trial: Trial, since: float, until: float, without: frozenset[int] = frozenset()
 ) -> list[Channel]:
     """Return the channels that a trial has read between two times, but for some statements."""
     found: dict[Channel, None] = {}
-    for at, channels in list(trial.readings.items()):
+    for at, channels in trial.readings.items():
         read = [
             channel
             for channel, spans in channels.items()
             if any(since - EXACT <= each.last and each.first <= until for each in spans)
         ]
-        if read and at not in without:
-            found |= dict.fromkeys(_that_matter(explorer, way, at, read))
+        if at not in without:
+            found |= dict.fromkeys(that_matter(explorer, read, trial.decided))
     return list(found)
 
 
 def read_on_way(explorer: Explorer, trial: Trial, rest: Rest | None) -> list[Channel]:
-    """Return the channels, but for those of banks, that a trial has read on the way to a rest."""
-    return _read_before(explorer, trial, rest, None)
-
-
-def _read_before(explorer: Explorer, trial: Trial, rest: Rest | None, way: TriedWay | None) -> list[Channel]:
     """Return the channels that lead to a rest: those that other statements than its own have read until then."""
     until = inf if rest is None else rest.begin + BODY
     places = frozenset[int]().union(*(each.statements for each in (rest.state if rest else ())))
-    return _read(explorer, trial, trial.since, until, places, way)
+    return _read(explorer, trial, trial.since, until, places)
 
 
-def _channels(explorer: Explorer, node: StateNode, visit: Visit) -> list[Channel]:
+def _channels(explorer: Explorer, node: StateNode) -> list[Channel]:
     """Return the channels that were read in a state; of a bank those that matter."""
-    read = [
-        _that_matter(explorer, TriedWay(visit), at, list(channels))
-        for at, channels in list(node.reads.items())
-    ]
+    read = (that_matter(explorer, channels, node.places) for channels in node.reads.values())
     return list(dict.fromkeys(chain.from_iterable(read)))
 
 
-class TriedWay(NamedTuple):
-    """Changes that are made at a visit, and the trial with them; none is the stay itself."""
-
-    visit: Visit
-    causes: Causes = ()
-    trial: Trial | None = None
-
-
-def _that_matter(explorer: Explorer, way: TriedWay | None, at: int, read: Sequence[Channel]) -> list[Channel]:
-    """Return the channels of a statement that no person has given; of a bank those that need their other level.
-
-    If a comparison with a code needs none, they are those that turn any comparison; and what alone turns one, such as
-    that with a mask, counts, too.
-
-    They are found by halves, by the comparisons that differ on the `way`; without one no inputs of a bank are known
-    before a state or a way reads it.
-    """
+def that_matter(explorer: Explorer, read: Iterable[Channel], places: Iterable[int]) -> list[Channel]:
+    """Return the channels of a statement that no person has given; of a bank those that decide at some statements."""
     free = [each for each in read if each not in explorer.given]
     if len(free) <= MAX_READ:
         return free
-    if (
-        way is not None
-        and (at, way.visit) not in explorer.sought
-        and (not way.causes or at not in explorer.banks)
-    ):
-        levels, known = (
-            way.visit.levels,
-            {*explorer.banks.get(at, ()), *(each.channel for each in way.causes)},
-        )
-        usual = compared_in(way.trial or explorer.changed(way.visit, way.causes))
-        # What a clock or a count brings to a comparison differs anyway.
-        often = Counter(each for each, _ in usual)
-        # What another statement reads by itself may lead elsewhere before this one reads the bank.
-        others = [each for each in free if each not in known and each not in explorer.alone]
-        alone = [each for each in free if each not in known and each in explorer.alone]
-        left = [each for each in (others, alone) if each]
-        found, turning = list[Channel](), defaultdict[Comparison, list[Channel]](list)
-        while left and not explorer.trials.is_over:
-            some = left.pop()
-            changes = tuple(_flipped(each, levels) for each in some)
-            made = compared_in(explorer.changed(way.visit, tuple(sorted((*way.causes, *changes)))))
-            new = frozenset(each for each in made - usual if often[each[0]] <= FEW)
-            if not new:
-                continue
-            if len(some) == 1:
-                if level_of_bit(usual, new) == changes[0].value:
-                    found.append(some[0])
-                for each in turns(usual, new):
-                    turning[each].append(some[0])
-            else:
-                middle = len(some) // 2
-                left += [some[middle:], some[:middle]]
-        if not explorer.trials.is_over:  # else it is asked again
-            explorer.sought.add((at, way.visit))
-        # A code compares all inputs, a mask its own.
-        masked = [each for each in turning.values() if len(each) == 1 or not found]
-        more = dict.fromkeys(chain(found, *masked))
-        explorer.banks[at] = [*explorer.banks.get(at, ()), *more]
-    return explorer.banks.get(at, [])
+    decided = set[Channel]().union(*(explorer.decided.get(at, ()) for at in places))
+    return [each for each in free if each in decided]
 
 
 def _flipped(channel: Channel, levels: dict[int, float]) -> Change:
@@ -324,22 +256,21 @@ def _values(explorer: Explorer, node: StateNode, visit: Visit, channel: Channel)
 def _compared(
     explorer: Explorer, node: StateNode, visit: Visit, others: Causes, channel: Channel, question: str = ""
 ) -> Iterator[Causes]:
-    """Yield the changes to values at which the comparisons behind two of a channel turn."""
+    """Yield the changes to values at which the comparisons behind an unusual one of a channel turn."""
     if explorer.trials.is_over:
         return
-    first, second = probes_of(channel, question)
-    both = [tuple(sorted((*others, probe))) for probe in (first, second)]
-    trials = [explorer.changed(visit, causes) for causes in both]
-    yield from (tuple(sorted((*others, each))) for each in solved(first, second, *trials))
+    probe = probe_of(channel, question)
+    causes = tuple(sorted((*others, probe)))
+    trial = explorer.changed(visit, causes)
+    yield from (tuple(sorted((*others, each))) for each in solved(probe, trial))
     # Last, so that what an unusual value does is known of a value that a person would give.
-    for causes, trial in zip(both, trials, strict=True):
-        explorer.take(node, visit, causes, trial)
+    explorer.take(node, visit, causes, trial)
 
 
 def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Causes]:
     """Yield answers to the question of a state: usual ones, and those that comparisons tell apart."""
     assert visit.question is not None
-    first = Change("answer", 0, ANSWERS[0], visit.question)
+    first = probe_of(("answer", 0), visit.question)
     given: set[str] = set()
     # A rejected answer may print the range of the right ones.
     while left := [each for each in usual_answers(node.printed) if each not in given]:

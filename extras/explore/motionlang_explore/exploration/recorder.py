@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from motionlang.kernel import Hook, Machine, Steps, Task
 from motionlang.kernel.lang import Snapshot, Values, conditions
+from motionlang.kernel.traced import form_of
 from motionlang_explore.exploration.changes import Channel
 
 # A trial ends after so many statements, or if none of so many is the first at its place and none starts a move. A run
@@ -103,6 +104,8 @@ class TrialRecorder(Hook):
         self.statements: dict[str, list[Begun]] = defaultdict(list)
         # Left and right side of each comparison, in order.
         self.comparisons: dict[Comparison, list[tuple[object, object]]] = defaultdict(list)
+        # The channels on which the comparisons and truths of statements depend.
+        self.decided: dict[int, set[Channel]] = defaultdict(set)
         self.readings: dict[int, dict[Channel, list[ReadSpan]]] = defaultdict(lambda: defaultdict(list))
         # The values of the remembered variables, each time that one of them has changed.
         self.memory: list[tuple[float, tuple[object, ...]]] = []
@@ -146,6 +149,7 @@ class TrialRecorder(Hook):
         """Watch a run that is about to begin on a machine."""
         self._machine = machine
         machine.controller.reads.add(self._reads)
+        machine.controller.reads.trace()
         self.expect_changes()
 
     def expect_changes(self) -> None:
@@ -285,8 +289,14 @@ class TrialRecorder(Hook):
         if self._is_recorded or now >= self.since:  # a wait compares after it has begun
             self._comparisons += 1
             self.comparisons[at, self._comparisons].append((left, right))
+            self.tested(left)
+            self.tested(right)
             if isinstance(left, (int, float)) and isinstance(right, (int, float)):
                 self.seen.add((at, self._comparisons, (left > right) - (left < right)))
+
+    def tested(self, number: object) -> None:
+        for table, channel, _ in form_of(number):
+            self.decided[self._place()].add((table, channel))
 
 
 def _nothing() -> None:

@@ -60,7 +60,7 @@ from motionlang_explore.exploration.trials import (
     TrialMotion,
     Trials,
 )
-from motionlang_explore.exploration.values import is_probe, printed_for
+from motionlang_explore.exploration.values import codes, is_probe, printed_for
 
 # A variable with more values at rest counts or measures.
 MAX_REMEMBERED = 5
@@ -115,12 +115,8 @@ class Explorer:
         self.changed_in: set[Hashable] = set()
         # What the trials have seen that were taken.
         self._seen: set[Seen] = set()
-        # What statements read that read no bank.
-        self.alone: set[Channel] = set()
-        # The inputs that matter of the banks that statements read, by source offset.
-        self.banks: dict[int, list[Channel]] = {}
-        # The banks and the visits at which that was asked: another state may need other inputs of the same bank.
-        self.sought: set[tuple[int, Visit]] = set()
+        # The channels on which the comparisons and truths of statements have depended.
+        self.decided: dict[int, set[Channel]] = defaultdict(set)
         # The shares of the way of a move where a mark of a latch turns comparisons.
         self.marks: dict[int, dict[float, None]] = {}
         # The lines that move an axis in any transition.
@@ -176,10 +172,10 @@ class Explorer:
         while True:
             self.progress(min(self.trials.work / max(self.whole, 1.0), 1.0))
             trial = self.trials.play(timeline, since, is_enough)
-            for at, channels in trial.readings.items():
-                self.alone |= channels.keys() if len(channels) <= questions.MAX_READ else set()
-                read = list(channels) if len(channels) <= questions.MAX_READ else self.banks.get(at, ())
-                self.read |= dict.fromkeys(each for each in read if each not in self.given)
+            for at, found in trial.decided.items():
+                self.decided[at] |= found
+            for channels in trial.readings.values():
+                self.read |= dict.fromkeys(questions.that_matter(self, channels, trial.decided))
             if self.trials.is_over or (has_switches and not self.switches.add(self.trials.last)):
                 return trial
             self.trials.give(self.switches.settings)
@@ -421,6 +417,8 @@ class Explorer:
             node.later = visit
             node.left.append(Departure(visit))
         node.note_reads(rest)
+        if visit.lasts:
+            node.codes |= dict.fromkeys(codes(trial, node.channels))
         if rest.question is not None:
             node.printed += printed_for(trial, rest.question)
         return node, visit

@@ -45,7 +45,7 @@ from motionlang_explore.exploration.trials import (
     SHORTEST_MOVE,
     is_short_move,
 )
-from motionlang_explore.exploration.values import is_probe, probes_of, solved
+from motionlang_explore.exploration.values import is_probe, probe_of, solved
 from motionlang_explore.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
 from motionlang_explore.identification import Entry, place
 
@@ -217,9 +217,9 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
         usual = ends[0].begun | ends[1].begun
         if (first.is_good and not first.begun <= usual) or not explorer.has_work:
             continue
-        probes = probes_of(channel)
-        trials = [explorer.trials.play_in(settings({"value": each.value, **ON}), LENGTH) for each in probes]
-        for level in (each.value for each in solved(*probes, *trials) if explorer.has_work):
+        probe = probe_of(channel)
+        trial = explorer.trials.play_in(settings({"value": probe.value, **ON}), LENGTH)
+        for level in (each.value for each in solved(probe, trial) if explorer.has_work):
             run = _tried(explorer, settings({"value": level, **ON}), least)
             if not run.begun <= usual:
                 left = [each for each in channels if each != channel]

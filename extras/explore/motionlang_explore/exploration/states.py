@@ -142,10 +142,17 @@ class StateNode:
     on_way: set[Channel] = field(default_factory=set)
     # The values of a channel at which comparisons turn here.
     solved: dict[Channel, tuple[Change, ...]] = field(default_factory=dict)
+    # The changes of several inputs that let a bank have the code with which it is compared here.
+    codes: dict[Causes, None] = field(default_factory=dict)
     # What was tried, and what is still to be tried.
     tried: dict[Causes, None] = field(default_factory=dict)
     left: list[Departure] = field(default_factory=list)
     transitions: list[Transition] = field(default_factory=list)
+
+    @property
+    def places(self) -> frozenset[int]:
+        """The statements at which the tasks rest."""
+        return frozenset[int]().union(*(each.statements for each in self.state or ()))
 
     @property
     def moved(self) -> frozenset[int]:
@@ -173,6 +180,7 @@ class StateNode:
                 self.transitions.append(each)
         for at, channels in other.reads.items():
             self.reads.setdefault(at, {}).update(channels)
+        self.codes |= other.codes
         self.tried |= other.tried
         self.refused |= other.refused
 

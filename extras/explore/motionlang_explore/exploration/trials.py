@@ -87,8 +87,8 @@ class Trial(NamedTuple):
 
     `time` and `status` are those of its end. `is_stuck` is True if it ended because nothing could change any more,
     `is_homing` if an axis still homes, `is_idle` if it was ended since it only repeated. `question` is that of an INPUT
-    for which it has no answer. `waits` are in the order of their ends; those that go on end at infinity. `outputs` and,
-    as the `TrialRecorder` has them, `statements`, `comparisons`, `readings` and `seen` are those from `since` on.
+    for which it has no answer. `waits` are in the order of their ends; those that go on end at infinity. `outputs`, and
+    `statements`, `comparisons`, `decided`, `readings` and `seen` of the `TrialRecorder`, are those from `since` on.
     `begun` are the statements that began at any time, `outcomes` those of conditions if they are observed.
     """
 
@@ -106,6 +106,7 @@ class Trial(NamedTuple):
     waits: Sequence[Waited]
     statements: Mapping[str, Sequence[Begun]]
     comparisons: Mapping[Comparison, Sequence[tuple[object, object]]]
+    decided: Mapping[int, Set[Channel]]
     readings: Readings
     memory: Sequence[tuple[float, tuple[object, ...]]]
     seen: Set[Seen]
@@ -406,6 +407,7 @@ def _trial(
         [*log.waits.written(), *_open_waits(result)],
         recorder.statements,
         recorder.comparisons,
+        recorder.decided,
         recorder.readings,
         recorder.memory,
         recorder.seen,

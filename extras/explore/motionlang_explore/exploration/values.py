@@ -1,28 +1,28 @@
-"""Values of what has more than two levels: keys, analogue inputs, numbers of a host.
+"""Values of what has more than two levels: keys, analogue inputs, numbers of a host; and inputs that form a code.
 
-Two unusual values are played. A comparison whose margin (left side minus right side) differs between the two runs
-depends on the value, plain, shifted or scaled, as in `k = k - 48 : IF k = 1` or `ADC(0) * 3 > set - 5`. The margin is
-linear in the value, so the value at which the sides are equal follows from the two, and a value on each side of it.
+An unusual value is played. A number knows of which readings it was worked out (`motionlang.kernel.traced`), plain,
+shifted or scaled, as in `k = k - 48 : IF k = 1` or `ADC(0) * 3 > set - 5`. Each comparison then says at which value its
+sides are equal, and a value on each side of it is tried.
 """
 
 from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import chain, pairwise
 from math import inf, isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from motionlang.kernel.traced import form_of, is_traced, plain
 from motionlang_explore.exploration.changes import WHOLE, Change, Channel
 from motionlang_explore.exploration.recorder import Comparison
 
 if TYPE_CHECKING:
     from motionlang_explore.exploration.trials import Trial
 
-# Two unusual keys, levels, numbers and answers.
-KEYS, LEVELS, NUMBERS, ANSWERS = ("~", "|"), (41.0, 43.0), (7771.0, 7773.0), ("7771", "7773")
+# An unusual key, level, number and answer.
+KEY, LEVEL, NUMBER, ANSWER = "~", 41.0, 7771, "7771"
 # Answers that a person tries, and how many times the last number of a wide range is the first one.
 USUAL_ANSWERS, WIDE = ("10", "1", "100", "0.5"), 100.0
 _RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
@@ -43,13 +43,12 @@ MAX_VALUES = 24
 MAX_TIMES = 50
 
 
-def probes_of(channel: Channel, question: str = "") -> tuple[Change, Change]:
-    """Return two unusual changes of a channel with more than two levels; `question` is that of an answer."""
+def probe_of(channel: Channel, question: str = "") -> Change:
+    """Return an unusual change of a channel with more than two levels; `question` is that of an answer."""
     table, number = channel
-    unusual: dict[str, Sequence[float | str]] = {"key": KEYS, "analogue": LEVELS, "answer": ANSWERS}
-    unusual |= {each: [int(number) for number in NUMBERS] for each in WHOLE}
-    first, second = unusual.get(table, NUMBERS)
-    return Change(table, number, first, question), Change(table, number, second, question)
+    unusual: dict[str, float | str] = {"key": KEY, "analogue": LEVEL, "answer": ANSWER}
+    unusual |= dict.fromkeys(WHOLE, NUMBER)
+    return Change(table, number, unusual.get(table, float(NUMBER)), question)
 
 
 def first_write(channel: Channel) -> Change:
@@ -60,19 +59,56 @@ def first_write(channel: Channel) -> Change:
 
 def is_probe(change: Change) -> bool:
     """True if the value of a change is an unusual one."""
-    return change.table != "input" and change.value in (*KEYS, *LEVELS, *NUMBERS, *ANSWERS)
+    return change.table != "input" and change.value in (KEY, LEVEL, NUMBER, ANSWER)
 
 
-def solved(first: Change, second: Change, one: Trial, other: Trial) -> list[Change]:
-    """Return the values of a channel at which comparisons turn, from the trials with two other values of it."""
-    roots = turning_at(_number(first), _number(second), one, other)
+def solved(probe: Change, trial: Trial) -> list[Change]:
+    """Return the values of a channel at which comparisons turn, from the trial with an unusual one."""
+    roots = dict.fromkeys(_roots(probe, trial))
     ordered = sorted(roots)
-    found = dict.fromkeys(chain.from_iterable(_near(first, each, ordered) for each in roots))
-    changes = [change for value in found if (change := _change(first, value)) is not None]
-    changes += [first._replace(value=text) for text in _words(first, one)]
-    if found or first.table == "key":
-        changes += [first._replace(value=each) for each in USUAL.get(first.table, ())]
+    found = dict.fromkeys(chain.from_iterable(_near(probe, each, ordered) for each in roots))
+    changes = [change for value in found if (change := _change(probe, value)) is not None]
+    changes += [probe._replace(value=text) for text in _words(probe, trial)]
+    if found or probe.table == "key":
+        changes += [probe._replace(value=each) for each in USUAL.get(probe.table, ())]
     return list(dict.fromkeys(changes))[:MAX_VALUES]
+
+
+def _roots(probe: Change, trial: Trial) -> Iterator[float]:
+    """Yield the values of a channel at which comparisons turn; that of the other side where no sum leads there."""
+    value = _number(probe)
+    for left, right in chain.from_iterable(trial.comparisons.values()):
+        for table, number, read in (*form_of(left), *form_of(right)):
+            is_it = table == probe.table and (number == probe.number or table == "answer") and read == value
+            factor = form_of(left - right).get((table, number, read), 0.0) if is_it else 0.0  # type: ignore[operator]
+            if factor:
+                margin = plain(left) - plain(right)
+                other = right if is_traced(left) else left
+                yield value - margin / factor if isfinite(factor) else float(plain(other))
+
+
+def codes(trial: Trial, read: Collection[Channel]) -> list[tuple[Change, ...]]:
+    """Return the changes of several inputs that let a bank have the code with which it is compared."""
+    pairs = (each[-1] for each in trial.comparisons.values())
+    found = dict.fromkeys(_flips(*each) for each in pairs if any(map(is_traced, each)))
+    return [each for each in found if len(each) > 1 and {one.channel for one in each}.issubset(read)]
+
+
+def _flips(left: Any, right: Any) -> tuple[Change, ...]:
+    """Return the inputs of which two sides are sums that have to change for the sides to be equal, none if none do.
+
+    Each weighs twice as much as the one before, so the lowest bit of what is left says if it has to change.
+    """
+    lacks, changes = plain(right) - plain(left), list[Change]()
+    for (table, number, level), factor in sorted(
+        form_of(left - right).items(), key=lambda each: abs(each[1])
+    ):
+        if table != "input" or not isfinite(factor):
+            return ()
+        if round(lacks / factor) % 2:
+            lacks -= factor * (1.0 - 2.0 * level)
+            changes.append(Change(table, number, 1.0 - level))
+    return () if lacks else tuple(sorted(changes))
 
 
 def turning_at(a: float, b: float, one: Trial, other: Trial) -> list[float]:
@@ -106,56 +142,6 @@ def counts(trials: Sequence[Trial]) -> list[int]:
             if root.is_integer():
                 found |= dict.fromkeys((int(root), int(root) + 1))
     return [each for each in found if 1 < each <= MAX_TIMES]
-
-
-# Comparisons, and the sides that they have seen.
-Compared = frozenset[tuple[Comparison, tuple[object, object]]]
-
-
-def compared_in(trial: Trial) -> Compared:
-    """Return what the comparisons of a trial have seen, without how often."""
-    return frozenset((at, pair) for at, pairs in trial.comparisons.items() for pair in pairs)
-
-
-def level_of_bit(usual: Compared, new: Compared) -> float:
-    """Return the level of an input of a bank at which two sides are equal; on if that is unknown.
-
-    `new` is seen only if the input has the other level: one side differs by its bit.
-    """
-    for side, before, other in _differing(usual, new):
-        bit = int(abs(side - before))
-        if bit.bit_count() == 1 and other.is_integer():
-            return float(bool(int(other) & bit))
-    return 1.0
-
-
-def turns(usual: Compared, new: Compared) -> list[Comparison]:
-    """Return the comparisons of numbers that are usual and have a result that none of the usual ones has."""
-    results, others = _results(usual), _results(new)
-    return [at for at, found in others.items() if at in results and not found <= results[at]]
-
-
-def _results(compared: Compared) -> dict[Comparison, set[bool | None]]:
-    """Return for each comparison of numbers if the left side is the larger one, None if both are equal."""
-    found: dict[Comparison, set[bool | None]] = defaultdict(set)
-    for at, (left, right) in compared:
-        if isinstance(left, (int, float)) and isinstance(right, (int, float)):
-            found[at].add(None if left == right else left > right)
-    return found
-
-
-def _differing(usual: Compared, new: Compared) -> Iterator[tuple[float, float, float]]:
-    """Yield a side that differs, its usual value, and the other side, which are numbers."""
-    known: dict[Comparison, list[tuple[object, object]]] = defaultdict(list)
-    for at, pair in sorted(usual, key=str):
-        known[at].append(pair)
-    for at, (left, right) in sorted(new, key=str):
-        for was_left, was_right in known[at]:
-            sides = left, was_left, right, was_right
-            if all(isinstance(each, (int, float)) for each in sides):
-                a, b, c, d = (float(each) for each in sides)  # type: ignore[arg-type]
-                yield a, b, c
-                yield c, d, a
 
 
 def _margins(trial: Trial) -> dict[Comparison, list[float]]:
