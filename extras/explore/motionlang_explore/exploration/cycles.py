@@ -48,6 +48,7 @@ KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 _NAMED = (
     r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke|stuck|hangs|lost|empty"
     r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)|binned|crack|spoil"
+    r"|\bout of (?:register|size|range|tolerance|limits?)\b"
     r"|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
     r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
 )
@@ -61,7 +62,7 @@ _RIGHT = re.compile(r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b", re.IGNORECASE)
 STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
 _ALARM = re.compile(
-    r"alarm|(?<!de)fault|error|fail|reject|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
+    r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
     re.IGNORECASE,
 )
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.

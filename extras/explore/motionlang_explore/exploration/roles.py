@@ -79,6 +79,18 @@ def given_inputs(structure: Structure) -> Mapping[str, set[int]]:
     return found
 
 
+def encoders_read(structure: Structure) -> set[int]:
+    """Return the encoders that a program reads, but for those of the axes that it commands."""
+    statements = structure.statements.values()
+    read = {
+        int(use.number)
+        for each in statements
+        for use in each.channels
+        if (use.channel, use.access) == ("encoder", "read") and use.number.isdecimal()
+    }
+    return read - {use.axis for each in statements for use in each.axes}
+
+
 def _channel_of(use: ChannelUse) -> Channel | None:
     """Return the channel with more than two levels that a statement uses, None if its number is unknown."""
     table = _TABLES.get(use.channel, "")

@@ -37,6 +37,7 @@ from motionlang_explore.exploration.rests import (
 from motionlang_explore.exploration.roles import (
     beside_work,
     commands,
+    encoders_read,
     given_inputs,
     numbers_that_start,
     reached_in,
@@ -60,7 +61,7 @@ from motionlang_explore.exploration.trials import (
     TrialMotion,
     Trials,
 )
-from motionlang_explore.exploration.values import codes, is_probe, printed_for
+from motionlang_explore.exploration.values import codes, is_probe, periods, printed_for
 
 # A variable with more values at rest counts or measures.
 MAX_REMEMBERED = 5
@@ -84,6 +85,8 @@ class Explorer:
         if target.model:
             kept.setdefault("controller.model", target.model)
         self.switches = FoundSwitches(kept)
+        self.switches.turn(encoders_read(program.structure))
+        kept |= self.switches.settings
         self.progress, self.whole = progress, whole
         self.trials = Trials(program, kept, whole, used)
         # True once the exploration is done: what is asked of it then has a budget of its own.
@@ -119,6 +122,8 @@ class Explorer:
         self.decided: dict[int, set[Channel]] = defaultdict(set)
         # The shares of the way of a move where a mark of a latch turns comparisons.
         self.marks: dict[int, dict[float, None]] = {}
+        # The periods of inputs with which comparisons of the way between two marks turn.
+        self.periods: dict[int, dict[float, None]] = defaultdict(dict)
         # The lines that move an axis in any transition.
         self._moved: set[int] = set()
         # The values of each remembered variable at rest; those that are forgotten.
@@ -176,6 +181,8 @@ class Explorer:
                 self.decided[at] |= found
             for channels in trial.readings.values():
                 self.read |= dict.fromkeys(questions.that_matter(self, channels, trial.decided))
+            for number in self.triggers:
+                self.periods[number] |= dict.fromkeys(periods(trial, number))
             if self.trials.is_over or (has_switches and not self.switches.add(self.trials.last)):
                 return trial
             self.trials.give(self.switches.settings)

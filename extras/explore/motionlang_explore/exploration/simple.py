@@ -485,6 +485,8 @@ def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
         {**ON, "for": PUSH},
     )
     if channel[1] in explorer.triggers:
+        for every in explorer.periods[channel[1]]:
+            yield {"at": every, "for": SOON, "every": every}
         yield {**COUNTED}
     yield from _marks(run, explorer.marks.get(channel[1], ()))
     yield from simple

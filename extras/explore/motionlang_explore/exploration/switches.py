@@ -1,12 +1,12 @@
 """The switches of axes that home for ever, and encoders that something turns: what leaves no choice.
 
-The home switch is put a second ahead of the axis, and then index marks on its encoder. An encoder that a task waits for
-turns from power-up on.
+The home switch is put a second ahead of the axis, and then index marks on its encoder. An encoder that a task waits
+for, or that the program reads and that is none of an axis that it commands, turns from power-up on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from math import inf
 
 from motionlang.kernel import Run
@@ -57,20 +57,15 @@ class FoundSwitches:
                 continue
             for key in result.dialect.driven_by(wait.why):
                 if key == "encoder":
-                    added.append(self._turn(result, task.at))
+                    added.append(self.turn(_read_at(result, task.at)))
                 if key.startswith("axis."):
                     _, number, setting = key.split(".")
                     added.append(self._put(int(number), result, (setting,)))
         return any(added)
 
-    def _turn(self, result: Run, at: int) -> bool:
-        """Turn the encoders that a wait reads; False if they turn."""
-        assert result.program is not None
-        found = result.program.structure.waits.at(at)
-        read = sorted(number or 0 for kind, number in (found.leaves if found else ()) if kind == "encoder")
-        used = result.controller.encoders
-        channels = (AUXILIARY + each if AUXILIARY + each in used else each for each in read)
-        new: list[Entry] = [{**encoder_entry(each), "velocity": TURNING} for each in channels]
+    def turn(self, channels: Iterable[int]) -> bool:
+        """Turn some encoders; False if they turn."""
+        new: list[Entry] = [{**encoder_entry(each), "velocity": TURNING} for each in sorted(channels)]
         new = [each for each in new if each not in self.encoders and "encoder" not in self._given]
         self.encoders = [*self.encoders, *new]
         return bool(new)
@@ -94,6 +89,15 @@ class FoundSwitches:
             keys["index_every"] = _rounded(abs(ahead) / 5)
             return True
         return False
+
+
+def _read_at(result: Run, at: int) -> list[int]:
+    """Return the encoders that the wait at a source offset reads."""
+    assert result.program is not None
+    found = result.program.structure.waits.at(at)
+    read = [number or 0 for kind, number in (found.leaves if found else ()) if kind == "encoder"]
+    used = result.controller.encoders
+    return [AUXILIARY + each if AUXILIARY + each in used else each for each in read]
 
 
 def encoder_entry(channel: int) -> Entry:

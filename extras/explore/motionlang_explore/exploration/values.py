@@ -11,7 +11,7 @@ import re
 from bisect import bisect_left
 from collections.abc import Collection, Iterator, Sequence
 from itertools import chain, pairwise
-from math import inf, isfinite
+from math import fsum, inf, isfinite
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.traced import form_of, is_traced, plain
@@ -109,6 +109,27 @@ def _flips(left: Any, right: Any) -> tuple[Change, ...]:
             lacks -= factor * (1.0 - 2.0 * level)
             changes.append(Change(table, number, 1.0 - level))
     return () if lacks else tuple(sorted(changes))
+
+
+def periods(trial: Trial, number: int) -> Iterator[float]:
+    """Yield the periods of an input with which comparisons of the way between two of its marks turn.
+
+    Both places are readings of one encoder, which turns at a constant speed.
+    """
+    edges = [
+        at
+        for time, each in trial.timeline
+        if each.channel == ("input", number)
+        for at, level in each.levels(time)
+        if level
+    ]
+    for left, right in (each[-1] for each in trial.comparisons.values() if len(edges) > 1):
+        form = form_of(left - right) if is_traced(left) or is_traced(right) else {}  # type: ignore[operator]
+        if len(form) == 2 and len({each[:2] for each in form}) == 1 and not fsum(form.values()):
+            (_, _, first), (_, _, last) = sorted(form)
+            way = last - (plain(left) - plain(right)) / form[max(form)] - first
+            made = [(edges[-1] - edges[-2]) * way * (1.0 + side) / (last - first) for side in (0.02, -0.02)]
+            yield from (float(f"{each:.3g}") for each in made if each > 0.0)
 
 
 def turning_at(a: float, b: float, one: Trial, other: Trial) -> list[float]:

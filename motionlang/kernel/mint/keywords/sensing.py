@@ -19,6 +19,7 @@ from motionlang.kernel.mint.keywords.unsimulated import write_jump
 from motionlang.kernel.mint.runtime.binding import Maker, Operation, by_axis, of, of_word, scale_of, unchecked
 from motionlang.kernel.mint.runtime.changes import always, end_of_motion, moving, repeatable, with_dependency
 from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.traced import reading
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.keywords.compensation import Compensation
@@ -234,8 +235,12 @@ def compared(kind: type[Encoders]) -> Maker:
     """Make an operation that reads an encoder, and finds when it crosses a level."""
 
     def made(environment: Environment, row: Keyword) -> Operation:
-        encoders = environment.component(kind)
-        read = lambda channel, level=None: encoders.read(encoders.checked(channel))  # noqa: E731
+        encoders, reads = environment.component(kind), environment.controller.reads
+
+        def read(channel: int, level: float | None = None) -> float:
+            value = encoders.read(encoders.checked(channel))
+            return reading(value, "encoder", encoders.track(channel)) if reads.traces else value
+
         return with_dependency(environment, read, encoders.until)
 
     return made
