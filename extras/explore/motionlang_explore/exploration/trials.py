@@ -384,6 +384,12 @@ class Trials:
         return result, begun, {channel: max(spans[channel]) for channel in firsts}
 
 
+def _question(result: Run) -> str | None:
+    """Return what an INPUT asks, from where the program has moved the cursor last; None if none asks."""
+    text = result.machine.operator.question
+    return plain(text[max(text.rfind("\x1b"), 0) :]).strip(" ?:") if asks(result) else None
+
+
 # The shapes of profiles without an end of their own.
 ENDLESS = frozenset(("jog", "gear"))
 
@@ -400,7 +406,7 @@ def _trial(
         _is_stuck(result),
         _is_homing(result, base),
         recorder.is_idle,
-        plain(result.machine.operator.question).strip(" ?:") if asks(result) else None,
+        _question(result),
         list(_moves(result)),
         [each for each in log.outputs if each.time >= since],
         list(log.prints),

@@ -179,6 +179,7 @@ def test_a_macro_that_begins_again_without_an_input(cell: Cell) -> None:
         ('#a\nINPUT "Layers ", n\nIF n > 6 THEN ? "1 to 6" : GOTO a\n', [("Layers", "3")]),
         ('#a\nINPUT "Gap ", n\nIF n > 6 THEN GOTO a\n', [("Gap", "1")]),
         ('? "HOLES?"\nINPUT n\n', [("HOLES", "10")]),
+        ('LINE 1,"MENU"\nLINE 2,"HOLES"\nINPUT n\n', [("HOLES", "10")]),
     ],
 )
 def test_answers(cell: Cell, text: str, answers: list[tuple[str, str]]) -> None:
