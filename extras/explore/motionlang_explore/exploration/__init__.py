@@ -25,8 +25,9 @@ If the comparisons of a program count how often an input comes, in a move or at 
 
 A question is a state, and an answer is a change. Without a choice are the switches of an axis that homes for ever
 (`switches.py`). The likeliest cycles (`cycles.py`) are played (`playing.py`), and the world of the first that repeats
-is described by simple rules (`world.py`); where it does little, simple worlds are tried (`simple.py`). A long run in
-that world shows what only a full layer or the end of a batch brings, and the search goes on behind it (`further.py`).
+is described by simple rules (`world.py`); where it does little, simple worlds are tried (`simple.py`), first those that
+names suggest (`likely.py`). A long run in that world shows what only a full layer or the end of a batch brings, and the
+search goes on behind it (`further.py`).
 
 Not simulated yet: changes of anything but an input in the middle of a move.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from math import inf
 
 from motionlang.kernel import Program, Source, dialect_for, settings_next_to
 from motionlang_explore.exploration.changes import (
@@ -57,6 +58,7 @@ def explore(
             raise
         found = Exploration(explorer, at.result)
     explorer.progress, explorer.is_done = bool, True  # what is asked of the result is no part of it
+    explorer.trials.limit = inf
     return found
 
 

@@ -24,6 +24,7 @@ from motionlang.kernel.log import Printed, Switched
 from motionlang_explore.exploration import questions
 from motionlang_explore.exploration.changes import Channel, Timeline, given_in
 from motionlang_explore.exploration.cycles import alarms_in, is_wrong
+from motionlang_explore.exploration.likely import Likely
 from motionlang_explore.exploration.recorder import HANDLERS, Seen
 from motionlang_explore.exploration.rests import (
     BODY,
@@ -89,6 +90,7 @@ class Explorer:
         kept |= self.switches.settings
         self.progress, self.whole = progress, whole
         self.trials = Trials(program, kept, whole, used)
+        self.trials.limit = whole
         # True once the exploration is done: what is asked of it then has a budget of its own.
         self.is_done = False
         self.program = program = self.trials.program
@@ -131,12 +133,13 @@ class Explorer:
         self._forgotten: set[int] = set()
         # The axes that each line moves.
         self.axes: dict[int, set[int]] = defaultdict(set)
-        # The outputs whose names say that something is wrong.
+        # The rules of inputs that are likely by their names; the outputs whose names say that something is wrong.
         uses = (each for some in structure.statements.values() for each in some.channels)
         aliases = [
             Named(each.channel, int(each.number), each.alias, 0) for each in uses if each.number.isdecimal()
         ]
-        self.alarms = alarms_in((*names_in_comments(program.source, dialect(program.language)), *aliases))
+        named = (*names_in_comments(program.source, dialect(program.language)), *aliases)
+        self.likely, self.alarms = Likely(structure, named), alarms_in(named)
         # Work that goes on without a rest.
         self.working: list[Work] = []
 

@@ -3,8 +3,9 @@
 Problem. A program of ten lines that runs once may wait for nothing: it looks at an input once, counts it while an axis
 jogs, or takes what a host has written. No state asks for what it needs. Or the likeliest cycle is a side job of a menu.
 
-Idea. The program runs in simple worlds. Other inputs than those of a cycle are off, on, answer when they are asked for,
-or come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
+Idea. The program runs in simple worlds. Where no good one is known, each input first has the rule that its name and
+its place suggest (`likely.py`). Then other inputs than those of a cycle are off, on, answer when they are asked for, or
+come and go. From the worlds in which most of the program is carried out each channel takes the rule with which a run
 is worth most, until none is worth more. The channel that a run has read last may stop it, and is first.
 A program measures a part by a level: where it does at one within limits what it does at no other, that one is taken.
 It judges a part by an input: where a run does something else with it never on, always on or behind an output, the
@@ -13,8 +14,9 @@ branch is taken that is worth more. An input without which nothing but texts is 
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
 
-Cost. What is left of the work of the exploration; where the world that was found is a good one, two runs for each
-input, for each output two more of each that is off, and some for each level.
+Cost. What is left of the work of the exploration, but a share of it in any case, which also limits each run; where the
+world that was found is a good one, two runs for each input, for each output two more of each that is off, and some for
+each level.
 """
 
 from __future__ import annotations
@@ -39,6 +41,7 @@ from motionlang_explore.exploration.cycles import (
     speaks,
     wrong,
 )
+from motionlang_explore.exploration.likely import ASKED, ON, PUSH, QUICK, SOON
 from motionlang_explore.exploration.search import Explorer
 from motionlang_explore.exploration.states import DELAY
 from motionlang_explore.exploration.trials import (
@@ -46,12 +49,12 @@ from motionlang_explore.exploration.trials import (
     is_short_move,
 )
 from motionlang_explore.exploration.values import is_probe, probe_of, solved
-from motionlang_explore.exploration.world import ASKED, ON, PULSES, WRITES, FoundWorld, world_of
+from motionlang_explore.exploration.world import PULSES, WRITES, FoundWorld, world_of
 from motionlang_explore.identification import Entry, place
 
 # So much of the work of an exploration simple worlds may take where a good one was found, in so many runs each time, of
-# this length, s.
-GOOD, TRIES, LENGTH = 0.2, 250, 60.0
+# this length, s. They have a share of their own, and those that names suggest may take so much.
+GOOD, OWN, LIKELY, TRIES, LENGTH = 0.2, 0.15, 0.6, 250, 60.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
@@ -68,14 +71,12 @@ WHOLE, ENDS = 4.0, 2.0
 MOVE, JOG, OUTPUT, SAID = "move", "jog", "output", "said"
 WORTH = {MOVE: 1.5, JOG: 0.5, OUTPUT: 0.5, SAID: 2.0}
 WRONG, NEVER, NOTHING, ENTRY, ANSWERS, PULSED = 4.0, 3.0, 5.0, 0.01, 0.5, 1.5
-# A sensor behind an output takes so long, s, and a push of a button.
-SOON, PUSH = 0.1, 1.0
 # A flow meter or a tachometer comes and goes so fast, s.
 COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
 MARKS, LENGTHS, ALL = 7, 3, 1000
 # So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
-FIRST, PAIRS, REST = 7, 1, 2
+FIRST, PAIRS, REST = 8, 1, 2
 # Levels and numbers that are tried.
 USUAL, LEVELS, ABOVE, NUMBERS = 50.0, (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
 
@@ -105,8 +106,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
 
     It is the world of another cycle that carries out what this one does not, or a simple one.
     """
-    if not explorer.has_work:
-        return found
+    # The search may have left no work.
+    explorer.whole = max(explorer.whole, explorer.trials.work + OWN * explorer.whole)
+    explorer.trials.limit = explorer.whole
     first = _tried(explorer, found.settings)
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
     first = _within_limits(explorer, channels, first, least)
@@ -114,20 +116,89 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         # What comes one by one is over soon.
         tables = ((table, each) for table in ("input", "analogue") for each in entries(first.settings, table))
         often = Counter((table, number_in(table, each)) for table, each in tables)
-        first = _climbed(explorer, [each for each in channels if often[each] > LISTED], first, least, inf)
+        first = _climbed(
+            explorer, [each for each in channels if often[each] > LISTED], first, least, inf, GOOD
+        )
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
         first = _with_less(explorer, _right_branch(explorer, off, first, least), least)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
-    if (first.is_good and first.share >= LITTLE) or not explorer.has_work:
+    best, world = first, found
+    # Rejects are more different lines: what does good work is left as it is.
+    likely = () if first.is_good else _likely_starts(explorer, channels, found)
+    for starts, share in (
+        (likely, LIKELY),
+        (_simple_starts(explorer, channels, found, likeliest, first), 1.0),
+    ):
+        if (
+            (best is first or _is_enough(best)) and best.is_good and best.share >= LITTLE
+        ) or not explorer.has_work:
+            break
+        tried = []
+        for settings, other in starts:
+            if explorer.has_work:
+                tried.append((_tried(explorer, settings, least), other))
+        best, world = max([(best, world), *tried], key=lambda each: each[0].value)
+        # Where less answers the program waits sooner.
+        starting = {each[0].begun: each for each in tried}.values()
+        most = explorer.most(share)
+        for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
+            if best.is_good and best.share >= LITTLE:
+                break
+            climbed = _climbed(explorer, channels, start, least, most)
+            if climbed.value > best.value:
+                best, world = climbed, other
+    if best is first or best.is_good < first.is_good or best.value < first.value + MORE:
         return found
+    best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
+    return world._replace(settings=best.settings, run=best.run)
+
+
+def _likely_starts(
+    explorer: Explorer, channels: Sequence[Channel], found: FoundWorld
+) -> Iterator[tuple[Settings, FoundWorld]]:
+    """Yield worlds in which each input has its likeliest rule by name, or by place; what is likely off is so, or on."""
+    bare, starts = _bare(channels, found), list[Settings]()
+    inputs = sorted(number for table, number in channels if table == "input")
+    for more, by_name, off in product(({}, _asked(bare)), (True, False), ({}, ON)):
+        rules = ((number, explorer.likely.rules(number, by_name=by_name)[0] or off) for number in inputs)
+        made = [{"channel": number, **rule} for number, rule in rules if rule]
+        starts.append({**bare, **more, "input": made})
+    yield from ((each, found) for k, each in enumerate(starts) if each not in starts[:k])
+
+
+def _simple_starts(
+    explorer: Explorer,
+    channels: Sequence[Channel],
+    found: FoundWorld,
+    likeliest: Sequence[MachineCycle],
+    first: Tried,
+) -> Iterator[tuple[Settings, FoundWorld]]:
+    """Yield worlds in which all inputs without an entry follow the same rule."""
     # What says what is wrong may only lack a rule, such as marks on the way.
     others = [each for each in likeliest if each.repeats and not each.begun <= first.begun]
     others.sort(key=lambda each: bool(wrong(each.said)))
     worlds = [found, *(world_of(explorer, [each]) for each in others[:OTHERS])]
     inputs = [number for table, number in channels if table == "input"]
     # What has no entry yet is never on, always on, or answers.
-    rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, ASKED)
+    rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, QUICK)
+    yield first.settings, found
+    bare = _bare(channels, found)
+    guards = _guards(explorer)
+    held = {**bare, "input": [{"channel": each, **ON} for each, on in guards.items() if on]}
+    free = [each for each in inputs if each not in guards]
+    bases = [
+        ({**each, **more}, some)
+        for each, some in ((bare, inputs), (held, free))
+        for more in ({}, _asked(bare))
+    ]
+    starts = [(_with_others(each, some, rule), found) for each, some in bases for rule in (QUICK, ON, PULSES)]
+    starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
+    yield from (each for k, each in enumerate(starts) if each[0] not in [one for one, _ in starts[:k]])
+
+
+def _bare(channels: Sequence[Channel], found: FoundWorld) -> Settings:
+    """Return a world without its inputs, with a level for each analogue input if there are several."""
     bare = {**found.settings, "input": []}
     known = {number_in("analogue", each) for each in entries(bare, "analogue")}
     levels = [
@@ -137,33 +208,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     ]
     if len(levels) > 1:  # one by one they lead no further
         bare["analogue"] = [*entries(bare, "analogue"), *levels]
-    guards = _guards(explorer)
-    held = {**bare, "input": [{"channel": each, **ON} for each, on in guards.items() if on]}
-    free = [each for each in inputs if each not in guards]
-    bases = [
-        ({**each, **more}, some)
-        for each, some in ((bare, inputs), (held, free))
-        for more in ({}, _asked(bare))
-    ]
-    starts = [(_with_others(each, some, rule), found) for each, some in bases for rule in (ASKED, ON, PULSES)]
-    starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
-    starts = [each for k, each in enumerate(starts) if each[0] not in [one for one, _ in starts[:k]]]
-    tried = [(first, found)]
-    tried += [(_tried(explorer, settings, least), world) for settings, world in starts if explorer.has_work]
-    best, world = max(tried, key=lambda each: each[0].value)
-    # Where less answers the program waits sooner.
-    starting = {each[0].begun: each for each in tried}.values()
-    most = explorer.most()
-    for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
-        if best.is_good and best.share >= LITTLE:
-            break
-        climbed = _climbed(explorer, channels, start, least, most)
-        if climbed.value > best.value:
-            best, world = climbed, other
-    if best.is_good < first.is_good or best.value < first.value + MORE:
-        return found
-    best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
-    return world._replace(settings=best.settings, run=best.run)
+    return bare
 
 
 def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, least: int) -> Tried:
@@ -176,7 +221,7 @@ def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, leas
 
 
 def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
-    """Return a run with inputs never or always on where it only says less then, such as a stop, or goes further.
+    """Return a run with inputs never or always on where it only says less then, but something, or goes further.
 
     They are changed one by one, and both of a condition.
     """
@@ -185,8 +230,11 @@ def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
     for some, rule in product(several, ({}, {**ON})):
         settings = reduce(partial(_with, rule=rule), some, first.settings)
         less = _tried(explorer, settings, least) if explorer.has_work else first
-        lost = _acts(explorer, first.run)[0].keys() - _acts(explorer, less.run)[0].keys()
-        only_says = less.times >= first.times and bool(lost) and all(kind == SAID for kind, _ in lost)
+        left = _acts(explorer, less.run)[0].keys()
+        lost = _acts(explorer, first.run)[0].keys() - left
+        only_says = less.times >= first.times and {kind for kind, _ in lost} == {SAID} <= {
+            kind for kind, _ in left
+        }
         goes_further = less.value > first.value and _judges(explorer, first, less)
         if less.is_good and (only_says or goes_further):
             first = less
@@ -196,11 +244,12 @@ def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
 def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
     """True if two runs take two branches of a judgement: each does something that the other does not, and is good.
 
-    What ends the program is no branch of it.
+    To say nothing is a branch, too, where the other one says what is right. What ends the program is none.
     """
     mine, others = (_acts(explorer, each.run)[0].keys() for each in (one, other))
     ends = other.run.status == "ended" != one.run.status
-    return other.is_good and not ends and bool(mine - others and others - mine)
+    is_silent = all(kind != SAID for kind, _ in mine) and any(kind == SAID for kind, _ in others)
+    return other.is_good and not ends and bool(others - mine) and (is_silent or bool(mine - others))
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
@@ -223,7 +272,7 @@ def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried
             run = _tried(explorer, settings({"value": level, **ON}), least)
             if not run.begun <= usual:
                 left = [each for each in channels if each != channel]
-                run = run if run.is_good else _climbed(explorer, left, run, least, explorer.most())
+                run = run if run.is_good else _climbed(explorer, left, run, least, explorer.most(OWN))
                 if run.is_good and not run.begun <= usual:
                     first = run
                     break
@@ -269,14 +318,17 @@ def _asked(settings: Settings) -> Settings:
     return made
 
 
-def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int, most: float) -> Tried:
+def _climbed(
+    explorer: Explorer, channels: Sequence[Channel], best: Tried, least: int, most: float, more: float = 0.0
+) -> Tried:
     """Return the simple world that is worth most: channels take the best of their rules until none is better.
 
     What the run has read last comes first, since it may be what stops it; then what starts a handler. The first rules
-    of all channels come first, then one for both inputs of a condition, such as two hands, and the others last.
+    of all channels come first; if none is good, then one for both inputs of a condition, such as two hands, and then
+    the others.
     """
     trials = explorer.trials
-    last, enough = trials.count + TRIES, explorer.most(GOOD)
+    last, enough = trials.count + TRIES, explorer.most(more)
     stage, before = 0, best.value
     while True:
         events = sorted(explorer.triggers | explorer.latches)
@@ -286,19 +338,24 @@ def _climbed(explorer: Explorer, channels: Sequence[Channel], best: Tried, least
             for settings in [*_others(explorer, some, best)][
                 slice(FIRST, None) if stage == REST else slice(FIRST)
             ]:
-                if trials.work > (min(enough, most) if best.is_good else most) or trials.count > last:
+                if trials.work > (min(enough, most) if _is_enough(best) else most) or trials.count > last:
                     return best
                 run = _tried(explorer, settings, least)
                 # What says what is wrong comes no further than what has begun to work.
-                is_right = run.is_good or run.faults <= best.faults or not best.times
+                is_right = run.is_good or run.faults <= best.faults or best.times < ENOUGH
                 if run.value > best.value and is_right:
                     best = run
             if best.value > before + HALF:
                 break
-        if best.value <= before + HALF and stage == REST:
+        if best.value <= before + HALF and (stage == REST or _is_enough(best)):
             return best
         stage = 0 if best.value > before + HALF else stage + 1
         before = best.value
+
+
+def _is_enough(tried: Tried) -> bool:
+    """True if a run does good work several times, or to the end of the program."""
+    return tried.is_good and (tried.times >= ENOUGH or tried.run.status == "ended")
 
 
 def _pairs(explorer: Explorer, channels: Sequence[Channel]) -> list[tuple[Channel, ...]]:
@@ -416,7 +473,7 @@ def _is_on_alarm(explorer: Explorer, at: int) -> bool:
     line, column = source.location(at) if at >= 0 else (0, 0)
     condition = source.line(line)[: max(column - 1, 0)].lower() if line else ""
     words = condition.split()
-    is_condition = "if" in words and "then" in words and "not" not in words
+    is_condition = {"if", "then"} <= {*words} and {"not", "else"}.isdisjoint(words)
     return is_condition and names_alarm(condition) and bool(wrong([condition]))
 
 
@@ -461,8 +518,11 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
 def _others(explorer: Explorer, channels: Sequence[Channel], best: Tried) -> Iterator[Settings]:
     """Yield the settings of a run with another rule for some channels, the simplest first."""
     rules = _rules if channels[0][0] == "input" else _levels
+    tried: list[Entry] = []
     for rule in rules(explorer, channels[0], best.run):
-        yield reduce(partial(_with, rule=rule), channels, best.settings)
+        if rule not in tried:
+            tried.append(rule)
+            yield reduce(partial(_with, rule=rule), channels, best.settings)
 
 
 def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
@@ -476,20 +536,13 @@ def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
 
 def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     """Yield the simple rules of an input: never, always, a person, a sensor behind an output, marks, a position."""
-    simple: tuple[Entry, ...] = (
-        {},
-        {**ON},
-        {**ASKED},
-        {**PULSES},
-        {**ASKED, "for": PUSH},
-        {**ON, "for": PUSH},
-    )
     if channel[1] in explorer.triggers:
         for every in explorer.periods[channel[1]]:
             yield {"at": every, "for": SOON, "every": every}
         yield {**COUNTED}
     yield from _marks(run, explorer.marks.get(channel[1], ()))
-    yield from simple
+    yield from explorer.likely.rules(channel[1])
+    yield from ({}, {**PULSES}, {**ON, "for": PUSH})
     yield from _followed(run)
     for axis, way in _ways(run).items():
         middle = round((min(way.places) + max(way.places)) / 2, 2)
@@ -517,16 +570,20 @@ def _marks(run: Run, shares: Iterable[float]) -> Iterator[Entry]:
 
 def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
     """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
-    key = "text" if channel[0] == "key" else "value"
-    for value in _values(explorer, channel):
-        if channel[0] != "analogue":
+    key, values = "text" if channel[0] == "key" else "value", _values(explorer, channel)
+    if channel[0] != "analogue":
+        for value in values:
             yield {key: value, **ASKED}
             yield {key: value, "at": DELAY}
-            continue
-        yield {"value": value, **ON}
-        for axis, way in _ways(run).items():
-            low, high = min(way.places), max(way.places)
-            yield {"axis": axis, "above": low, "value": 0.0, "per_unit": round(2 * value / (high - low), 4)}
+        return
+    yield from ({"value": value, **ON} for value in values)
+    # An axis that comes back carries what is measured.
+    ways = sorted(_ways(run).items(), key=lambda each: len({*each[1].places}))
+    ends = [USUAL, ABOVE, *values]
+    for value, (axis, way) in product(ends, ways):
+        low, high = min(way.places), max(way.places)
+        per_unit = round(value / (high - low), 4)
+        yield {"axis": axis, "above": low, "value": 0.0, "per_unit": per_unit}
 
 
 def _values(explorer: Explorer, channel: Channel) -> list[Any]:

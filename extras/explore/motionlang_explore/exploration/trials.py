@@ -192,6 +192,8 @@ class Trials:
     ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self._used = used
+        # The work at which a run ends that is still going on.
+        self.limit = inf
         self.memory = Memory(self.program.structure)
         self._written = written_at(self.program)
         self._lines = program.source.text.count("\n") + 1
@@ -228,11 +230,15 @@ class Trials:
         """True if the budget is used up, or the user has ended the exploration."""
         return self.work >= self.most or self._used() >= SEARCH
 
-    def _is_cut(self) -> bool:
-        return self._used() >= 1.0
+    def _recorder(self, since: float, snapshot_at: float = inf, *, is_plain: bool = False) -> TrialRecorder:
+        """Return a recorder that ends a run at the limit; one that `is_plain` records no variables."""
 
-    def _recorder(self, since: float, snapshot_at: float = inf) -> TrialRecorder:
-        return TrialRecorder(self.memory.all, self._written, since, snapshot_at, self._is_cut)
+        def is_cut() -> bool:
+            return self._used() >= 1.0 or self.work + recorder.work > self.limit
+
+        remembered, written = ((), {}) if is_plain else (self.memory.all, self._written)
+        recorder = TrialRecorder(remembered, written, since, snapshot_at, is_cut)
+        return recorder
 
     def observe(self) -> None:
         """Let all later trials record how conditions come out."""
@@ -372,7 +378,7 @@ class Trials:
         channel was read last, s, in the order in which they were read first.
         """
         self.count += 1
-        recorder = TrialRecorder((), {}, inf, is_cut=self._is_cut)
+        recorder = self._recorder(inf, is_plain=True)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
         begun = {each for each in recorder.seen if isinstance(each, int)}

@@ -31,6 +31,7 @@ from motionlang.kernel.log import Printed, Switched
 from motionlang_explore.exploration.along import along, answers, beyond
 from motionlang_explore.exploration.changes import AT_REST, Change, entries, is_about, number_in, tables_of
 from motionlang_explore.exploration.cycles import MachineCycle, wrong
+from motionlang_explore.exploration.likely import ASKED, ON, SOON
 from motionlang_explore.exploration.playing import COMPARED, TIMES, count, faults, played, quality
 from motionlang_explore.exploration.recorder import HANDLERS
 from motionlang_explore.exploration.search import Explorer
@@ -49,8 +50,6 @@ PASSES = 2
 WHOLE = 300.0
 # So many cycles are played until one repeats.
 PLAYED = 6
-# An input that answers an output soon, s: some programs look only once.
-SOON = 0.1
 # A number or a key is there for so long, s; a comparison includes what comes so soon after its end.
 MOMENT = 0.02
 # Rules for one world take at most so much of the work of an exploration.
@@ -60,9 +59,6 @@ LONGER = 1.5
 # An input comes and goes in so long, s.
 EVERY = 2.0
 PULSES: Entry = {"at": EVERY / 2, "for": EVERY / 2, "every": EVERY}
-# An input that is on from the start, and one that answers.
-ON: Entry = {"at": 0.0}
-ASKED: Entry = {"asked": DELAY}
 # The tables of the numbers of a host and the keys, which may come again.
 WRITES = ("comms", "netdata", "modbus.register", "key")
 

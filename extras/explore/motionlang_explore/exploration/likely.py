@@ -1,0 +1,128 @@
+"""What a person would guess of an input: the rules that its name and its place in the text suggest.
+
+A sensor follows the output whose name shares a word with its own (`probe down` – `probe`), or the output that the text
+switches last before it looks at the input. A start button is pushed, a guard is on, a full box is not there. The words
+are those of three languages, and only a first guess: what is played decides.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+
+from motionlang.kernel.lang import WRITE, Named, Structure
+from motionlang_explore.exploration.states import DELAY
+from motionlang_explore.identification import Entry
+
+# A sensor behind an output takes so long, s, and a push of a button.
+SOON, PUSH = 0.1, 1.0
+# An input that is on from the start, a person or a host that answers, a button that is pushed, and a sensor of which
+# nothing is known: it answers within the time-outs of programs.
+ON: Entry = {"at": 0.0}
+ASKED: Entry = {"asked": DELAY}
+PUSHED: Entry = {**ASKED, "for": PUSH}
+QUICK: Entry = {"asked": 0.02}
+# Words in English, German and French, in the names of what a person pushes, of what is on in a good machine, of what is
+# there in a bad one, of what is on while its output is off, and of outputs that only show something.
+_PUSHED = re.compile(
+    r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|reset|ack|push|changed|tast|knopf|fu(?:ss|ß)|quit"
+    r"|poussoir|bouton|p[ée]dale|d[ée]part|acquit|r[ée]arm",
+    re.IGNORECASE,
+)
+_STEADY = re.compile(
+    r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health|emerg|auto"
+    r"|halt|t(?:ü|ue)r\b|schutz|haube|bereit|luft|druck|arr[êe]t|urgence|porte|capot|ferm|pression|pr[êe]t",
+    re.IGNORECASE,
+)
+_ABSENT = re.compile(
+    r"open|full|\blow\b|empty|broke|\bjam|\bjog|spare|reserve|fault|setup|offen|voll|leer|bruch|tipp|ouvert|plein|vide"
+    r"|cass|bourr",
+    re.IGNORECASE,
+)
+_BACK = re.compile(
+    r"\bup\b(?! to)|home|\bback|open|retract|releas|raised|oben|zur(?:ü|ue)ck|offen|haut|arri[èe]re",
+    re.IGNORECASE,
+)
+_SHOWN = re.compile(
+    r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b|leuchte|hupe|voyant|lampe", re.IGNORECASE
+)
+# What names of inputs and outputs share by chance.
+_COMMON = re.compile(
+    r"air|and|der|des|for|from|has|inp|input|left|les|off|out|output|part|piece|ready|right|sensor|sol|switch|teil|the"
+    r"|valve|when|wire|with"
+)
+# Where a word of doorClosed or di_Door begins.
+_WORD = re.compile(r"(?<=[a-z])(?=[A-Z])|_")
+
+
+class Likely:
+    """The rules that are likely for the inputs of a program, the likeliest first."""
+
+    def __init__(self, structure: Structure, named: Iterable[Named]) -> None:
+        names = defaultdict[tuple[str, int], str](str)
+        for each in named:
+            names[each.kind, each.number] += f" {_WORD.sub(' ', each.name)}"
+        # The channels of a controller with one series are inputs or outputs.
+        switched = set[int]().union(*(each.outputs for each in structure.statements.values()))
+        for kind, number in [each for each in names if each[0] == "channel"]:
+            one = "output" if number in switched else "input"
+            names[one, number] = names[one, number].strip() or names[kind, number]
+        self._names: Mapping[tuple[str, int], str] = dict(names)
+        self._before = _switched_before(structure, names)
+
+    def rules(self, number: int, *, by_name: bool = True) -> list[Entry]:
+        """Return the rules of an input that its name and the outputs before it suggest, which come first without."""
+        name = self._names.get(("input", number), "")
+        before = self._before.get(number, ())
+        shares = [
+            output
+            for (kind, output), other in self._names.items()
+            if kind == "output" and not _stems(other).isdisjoint(_stems(name))
+        ]
+        shares.sort(key=lambda output: output not in before)
+        levels: list[Entry] = [{}, {"value": 0}]
+        if _BACK.search(name):
+            levels.reverse()
+        behind = [{"output": each, "delay": SOON, **level} for each in shares[:2] for level in levels]
+        by_word: tuple[tuple[re.Pattern[str], Entry], ...] = ((_ABSENT, {}), (_STEADY, ON), (_PUSHED, PUSHED))
+        said = [{**rule} for words, rule in by_word if words.search(name)]
+        others = [
+            {"output": each, "delay": SOON, **level}
+            for each in before
+            if each not in shares
+            for level in levels
+        ]
+        found = [*behind, *said, *others] if by_name else [*said, *others, *behind]
+        found += [{**ON}, {**QUICK}, {**PUSHED}]
+        return [each for k, each in enumerate(found) if each not in found[:k]]
+
+
+def _switched_before(
+    structure: Structure, names: Mapping[tuple[str, int], str]
+) -> Mapping[int, Sequence[int]]:
+    """Return the outputs that are switched last before each input is read, by the order of the text, but for lamps."""
+    owners, last = structure.owners(), dict[str, int]()
+    found = defaultdict[int, dict[int, None]](dict)
+    for at, each in sorted(structure.statements.items()):
+        unit = owners.get(at, "")
+        for use in (one for one in each.channels if one.number.isdecimal()):
+            number = int(use.number)
+            if (use.channel, use.access) == ("input", "read") and unit in last:
+                found[number][last[unit]] = None
+        switched = [
+            int(use.number)
+            for use in each.channels
+            if (use.channel, use.access) == ("output", WRITE) and use.number.isdecimal()
+        ]
+        shown = [one for one in switched if not _SHOWN.search(names.get(("output", one), ""))]
+        if shown:
+            last[unit] = shown[-1]
+        elif each.moves:
+            last.pop(unit, None)
+    return {number: list(each) for number, each in found.items()}
+
+
+def _stems(name: str) -> set[str]:
+    words = re.findall(r"[a-zà-ÿ]{3,}", name.lower())
+    return {each[:4] for each in words if not _COMMON.fullmatch(each)}

@@ -1,0 +1,98 @@
+"""`motionlang init` begins where a person would: by the names of inputs, their place, and answers within time-outs.
+
+Each program makes a good piece in one world, which no state of it asks for.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.cli.programs import Cell
+
+RATES = "SPEED(0) = 20 : ACCEL(0) = 2000 : DECEL(0) = 2000\n"
+# Three pulses within 0.4 s.
+PULSES = """\
+Dim n As Integer, last As Integer
+Dim t As Time
+Loop
+  Pause INX(0)
+  n = 0 : last = 0 : t = 0
+  While n < 3 And t < 400
+    If INX(5) = 1 And last = 0 Then n = n + 1
+    last = INX(5)
+    Wait(2)
+  End While
+  If n < 3 Then Print "BAD PART" Else Print "welded"
+  Wait(2000)
+  Pause INX(0) = 0
+End Loop
+"""
+# What an input says has an effect four strokes later.
+SHIFT = f"""\
+{RATES}
+Dim nest(5) As Integer, i As Integer
+Pause INX(0)
+Loop
+  If INX(2) Then nest(1) = 1
+  If nest(5) = 1 Then Print "cell passed"
+  MOVER(0) = 40 : GO(0) : Pause IDLE(0)
+  For i = 5 To 2 Step -1
+    nest(i) = nest(i - 1)
+  Next
+  nest(1) = 0
+End Loop
+"""
+# A load cell reads nothing above, and something within limits below.
+SPRINGS = f"""\
+{RATES}
+Define Guard = INX(0)
+Dim force As Float
+Loop
+  Pause Guard
+  If ADC(0) > 3 Then Print "zero error" : Wait(2000)
+  MOVEA(0) = 30 : GO(0) : Pause IDLE(0)
+  force = ADC(0)
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  If force > 42 And force < 56 Then Print "passed" Else Print "scrap"
+End Loop
+"""
+# A part, a probe that feels it, and a stop; all are looked at once in a stroke.
+PROBE = f"""\
+{RATES}
+Define Halt = INX(1)
+Define TeilImNest = INX(2)
+Define TasterUnten = INX(3)
+Define Messtaster = OUTX(1)
+Dim tested As Integer, last As Integer, bad As Integer
+Loop
+  Wait(20)
+  If Not Halt Then bad = 1
+  If Halt And TeilImNest Then
+    MOVER(0) = 30 : GO(0) : Pause IDLE(0)
+    If TasterUnten Then bad = 1
+    Messtaster = 1 : Wait(200)
+    If Not TasterUnten Then bad = 1
+    Messtaster = 0 : Wait(200)
+    tested = tested + 1
+    If tested = 4 And Not bad Then Print "four passed"
+    If tested = 4 Then tested = 0 : bad = 0
+  End If
+End Loop
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "good", "bad"),
+    [
+        pytest.param(PULSES, "welded", "BAD PART", id="pulses", marks=pytest.mark.slow),
+        pytest.param(SHIFT, "cell passed", "nothing", id="shift"),
+        pytest.param(SPRINGS, "passed", "scrap", id="springs"),
+        pytest.param(PROBE, "four passed", "nothing", id="probe"),
+    ],
+)
+def test_a_world_with_good_pieces(cell: Cell, text: str, good: str, bad: str) -> None:
+    cell.write("old.mnt", text)
+    assert cell("init", "old.mnt", "--format", "none").status == 0
+    ran = cell("run", "old.mnt", "--until", "30")
+    assert ran.out.count(f"{good}\n") >= 3
+    assert bad not in ran.out
