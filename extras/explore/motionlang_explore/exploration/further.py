@@ -14,14 +14,20 @@ from bisect import bisect_right
 
 from motionlang_explore.exploration.changes import TABLES, Change, Timeline, entries, made_by
 from motionlang_explore.exploration.search import Explorer
+from motionlang_explore.exploration.simple import SILENT, fault_of
 from motionlang_explore.exploration.states import Visit
 from motionlang_explore.exploration.world import WHOLE, FoundWorld
+
+# Where a program has said nothing, the run is so many times as long.
+LONG = 5
 
 
 def goes_further(explorer: Explorer, world: FoundWorld) -> bool:
     """Take note of the first thing that is new in a long run in a world, and what may follow; False if nothing is."""
     known, begun = set(explorer.nodes), _begun(explorer)
     trial = explorer.trials.play_in(world.settings, WHOLE)
+    if fault_of(explorer, explorer.trials.last) == SILENT:  # it may only say that a tool is worn
+        trial = explorer.trials.play_in(world.settings, LONG * WHOLE)
     timeline = _timeline(explorer, world)
     rests = explorer.rests(trial)
     news = [

@@ -60,8 +60,9 @@ GOOD, OWN, LIKELY, TRIES, LENGTH = 0.2, 0.15, 0.6, 250, 60.0
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
 # A channel with more entries changes one by one. From so many worlds other ones are looked for.
 LISTED, STARTS = 2, 3
-# A text in a program.
+# A text in a program, and what is wrong with a run without one.
 _TEXT = re.compile('"([^"]*[A-Za-z][^"]*)"')
+SILENT = "prints nothing"
 # What is done so often counts in full. A machine works that says what is wrong at most half as often as what is right.
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, its end, a line that moves to a target, another motion, an output, a printed
@@ -461,7 +462,7 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         return ""
     is_silent, is_still = _missed(explorer)
     if is_silent and run.status != "ended":
-        return "prints nothing"
+        return SILENT
     if not (often[MOVE] or often[JOG]):
         return "only homes"
     return "only jogs" if is_still and not often[MOVE] else ""

@@ -260,7 +260,13 @@ examples:
 
         Without a recording a line without `guess = true` is true, and the rest is searched again.
         """
-        from motionlang_explore.init.recorded.update import FileUpdate, searched, true_settings, update
+        from motionlang_explore.init.recorded.update import (
+            FileUpdate,
+            changed_in_words,
+            searched,
+            true_settings,
+            update,
+        )
 
         if program.errors:
             raise Refused(program.errors, source=program.source, file=self.file)
@@ -286,14 +292,16 @@ examples:
                 SIGNALS.end_with(interrupted)
             fault = drafted.exploration.fault_of(drafted.run)
             status = int(bool(fault))
-            sentences = [f"no good piece was found: the best cycle {fault}"] if fault else []
-            found = FileUpdate(searched(machine.text, settings, drafted.world.settings), sentences)
+            said = [f"no good piece was found: the best cycle {fault}"] if fault else []
+            found = FileUpdate(searched(machine.text, settings, drafted.world.settings), said)
         sys.stdout.writelines(
             unified_diff(
                 machine.text.splitlines(keepends=True), found.text.splitlines(keepends=True), path, path
             )
         )
-        sys.stderr.writelines(f"note: {each}\n" for each in found.sentences)
+        changed = changed_in_words(settings, read_machine(Source(path, found.text)))
+        sentences = [*found.sentences, *([f"other entries: {changed}"] if changed else [])]
+        sys.stderr.writelines(f"note: {each}\n" for each in sentences)
         if self.write and found.text != machine.text:
             try:
                 with replacing(path) as file:

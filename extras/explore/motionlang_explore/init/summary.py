@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Collection, Iterator
-from itertools import islice
 
 from motionlang.commands.channels import channels_of, only_named
 from motionlang.kernel import Run
@@ -62,10 +61,13 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
         )
     if what := exploration.fault_of(result):
         found.append(f"no good piece was found: the best cycle {what}")
-        found += islice(_not_reached(structure, exploration), SHOWN)
+        missed = list(_not_reached(structure, exploration))
+        found += [text for _, text in missed[:SHOWN]]
         name = exploration.program.source.name
+        read = _read_before(structure, result, min((line for line, _ in missed), default=0))
+        first = next((f", that of input {each} first" for each in read if each in guessed), "")
         found.append(
-            f"to find by hand what leads there: motionlang panel {name}; or correct an entry, remove its "
+            f"to find by hand what leads there: motionlang panel {name}; or correct an entry{first}, remove its "
             f"guess = true, and let motionlang init {name} --update search the rest"
         )
     if still:
@@ -78,8 +80,18 @@ def notes(structure: Structure, draft: Draft) -> list[str]:
     return found
 
 
-def _not_reached(structure: Structure, exploration: Exploration) -> Iterator[str]:
-    """Yield what no trial has printed, moved or sent to a host, with the condition on the way there."""
+def _read_before(structure: Structure, result: Run, line: int) -> Iterator[int]:
+    """Yield the inputs for which a run waits, and those that the lines before a line read, the nearest first."""
+    scheduler = result.machine.scheduler
+    waits = [task.wait for task in scheduler.tasks if not task.done] if scheduler is not None else []
+    yield from (each for wait in waits if wait is not None and wait.cause == "input" for each in wait.what)
+    for each in sorted(structure.statements.values(), key=lambda each: -each.line):
+        uses = each.channels if each.line <= line else ()
+        yield from (int(use.number) for use in uses if use.channel == "input" and use.number.isdecimal())
+
+
+def _not_reached(structure: Structure, exploration: Exploration) -> Iterator[tuple[int, str]]:
+    """Yield the lines of what no trial has printed, moved or sent to a host, with the condition on the way there."""
     rows = list(never_run(exploration, structure))
     firsts, begun = [each.first for each in rows], exploration.begun
     for each in structure.statements.values() if rows else ():
@@ -91,7 +103,7 @@ def _not_reached(structure: Structure, exploration: Exploration) -> Iterator[str
             and (sends or each.moves or '"' in each.text)
         ):
             why = f" ({row.why})" if row.why else ""
-            yield f"not reached: line {each.line}, {quoted(each.text)}{why}"
+            yield each.line, f"not reached: line {each.line}, {quoted(each.text)}{why}"
 
 
 def _stays(exploration: Exploration) -> list[str]:

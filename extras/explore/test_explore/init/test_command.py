@@ -571,8 +571,8 @@ def test_a_machine_that_only_rejects_is_no_success(cell: Cell) -> None:
     assert ran.err.endswith(
         "note: no good piece was found: the best cycle prints 'reject'\n"
         'note: not reached: line 5, Print "part" (line 5: if k = 3)\n'
-        "note: to find by hand what leads there: motionlang panel old.mnt; or correct an entry, remove its "
-        "guess = true, and let motionlang init old.mnt --update search the rest\n"
+        "note: to find by hand what leads there: motionlang panel old.mnt; or correct an entry, that of input 1 "
+        "first, remove its guess = true, and let motionlang init old.mnt --update search the rest\n"
     )
     assert cell("verify", "old.mnt").status == 0
 

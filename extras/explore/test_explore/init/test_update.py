@@ -115,6 +115,48 @@ def test_what_a_person_has_corrected_is_true_and_the_rest_is_searched(cell: Cell
         "+  { channel = 0, asked = 0.3, guess = true },",
     ]
     assert ran.status == 0
-    assert cell("init", "feed.prg", "--update").out == ""
+    assert ran.err.endswith("note: other entries: input 0\n")
+    again = cell("init", "feed.prg", "--update")
+    assert (again.out, "other entries" in again.err) == ("", False)
     (cell.folder / "feed.machine.toml").unlink()
     assert "hint: motionlang init feed.prg writes it" in cell("init", "feed.prg", "--update").err
+
+
+TOOL = """\
+Dim n As Integer
+Loop
+  Pause INX(1)
+  OUTX(1) = 1
+  MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+  OUTX(1) = 0
+  n = n + 1
+  If n = 30 Then
+    Print "change the tool"
+    Pause INX(7)
+    Pause INX(7) = 0
+    n = 0
+  End If
+  Pause INX(1) = 0
+End Loop
+"""
+
+
+@pytest.mark.parametrize("known", ["", "{ channel = 1, asked = 0.2 },"])
+def test_a_button_that_must_come_and_go_has_no_constant_level(cell: Cell, known: str) -> None:
+    """Also where a person has corrected another entry, which stays."""
+    cell.write("tool.mnt", TOOL)
+    if known:
+        cell.write(
+            "tool.machine.toml", f"input = [\n  {known}\n  {{ channel = 7, at = 0.0, guess = true }},\n]\n"
+        )
+    assert cell("init", "tool.mnt", *(("--update", "--write") if known else ("--format", "none"))).status == 0
+    machine = (cell.folder / "tool.machine.toml").read_text()
+    assert "{ channel = 7, asked = 0.3, guess = true }" in machine
+    assert known in machine
+
+
+def test_a_machine_that_only_says_that_its_tool_is_worn_is_good(cell: Cell) -> None:
+    """It says so after more time than a machine file runs."""
+    cell.write("slow.mnt", f"SPEED(0) = 1 : ACCEL(0) = 600 : DECEL(0) = 600\n{TOOL}")
+    ran = cell("init", "slow.mnt", "--format", "none")
+    assert (ran.status, "no good piece" in ran.err) == (0, False)

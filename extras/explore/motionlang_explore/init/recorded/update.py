@@ -24,7 +24,7 @@ from motionlang_explore.init.recorded.drafting import (
     unread,
 )
 from motionlang_explore.init.recorded.recording import MeasuredRecording
-from motionlang_explore.init.recorded.unrecorded import Tables
+from motionlang_explore.init.recorded.unrecorded import Tables, subject
 from motionlang_explore.scenario_text import inline, toml_value
 
 MEASURED = ("input", "analogue")
@@ -91,6 +91,16 @@ def searched(text: str, settings: Mapping[str, object], found: Mapping[str, obje
         if table not in MEASURED:
             lines = _fitted(lines, before, entries(found, table), {})
     return "\n".join(lines)
+
+
+def changed_in_words(before: Mapping[str, object], after: Mapping[str, object]) -> str:
+    """Return what the entries that differ between the settings of two machine files change; "" if none differ."""
+    found: dict[str, tuple[list[Entry], list[Entry]]] = {}
+    for table in TABLES:
+        for k, settings in enumerate((before, after)):
+            for each in entries(settings, table):
+                found.setdefault(subject(table, each), ([], []))[k].append(each)
+    return ", ".join(each for each, (old, new) in found.items() if old != new)
 
 
 def true_settings(settings: Mapping[str, object]) -> dict[str, object]:
