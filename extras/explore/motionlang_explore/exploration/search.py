@@ -86,14 +86,14 @@ class Explorer:
         if target.model:
             kept.setdefault("controller.model", target.model)
         self.switches = FoundSwitches(kept)
-        self.switches.turn(encoders_read(program.structure))
-        kept |= self.switches.settings
         self.progress, self.whole = progress, whole
         self.trials = Trials(program, kept, whole, used)
         self.trials.limit = whole
         # True once the exploration is done: what is asked of it then has a budget of its own.
         self.is_done = False
         self.program = program = self.trials.program
+        self.switches.turn(encoders_read(program.structure))
+        self.trials.give(self.switches.settings)
         self.nodes: dict[RestState | None, StateNode] = {}
         # What a person has given does not change.
         self.given = given_in(kept)
