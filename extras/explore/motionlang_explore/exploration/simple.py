@@ -185,15 +185,8 @@ def _simple_starts(
     rules: tuple[tuple[Sequence[int], Entry], ...] = ((), ON), (inputs, ON), (inputs, QUICK)
     yield first.settings, found
     bare = _bare(channels, found)
-    guards = _guards(explorer)
-    held = {**bare, "input": [{"channel": each, **ON} for each, on in guards.items() if on]}
-    free = [each for each in inputs if each not in guards]
-    bases = [
-        ({**each, **more}, some)
-        for each, some in ((bare, inputs), (held, free))
-        for more in ({}, _asked(bare))
-    ]
-    starts = [(_with_others(each, some, rule), found) for each, some in bases for rule in (QUICK, ON, PULSES)]
+    bases = ({**bare, **more} for more in ({}, _asked(bare)))
+    starts = [(_with_others(each, inputs, rule), found) for each in bases for rule in (QUICK, ON, PULSES)]
     starts += [(_with_others(each.settings, *rule), each) for each in worlds for rule in rules]
     yield from (each for k, each in enumerate(starts) if each[0] not in [one for one, _ in starts[:k]])
 
@@ -285,19 +278,6 @@ def neighbours(explorer: Explorer, settings: Settings) -> Iterator[tuple[Channel
     first, channels = _tried(explorer, settings), _channels(explorer)
     for some in [*((each,) for each in channels), *_pairs(explorer, channels)]:
         yield from ((some[0], each) for each in _others(explorer, some, first))
-
-
-def _guards(explorer: Explorer) -> dict[int, bool]:
-    """Return the inputs of which one level has only brought what is wrong, each with the other level."""
-    brings: dict[tuple[int, bool], set[bool]] = defaultdict(set)
-    for each in (each for node in explorer.nodes.values() for each in node.transitions):
-        if [one.table for one in each.causes] == ["input"]:
-            says = any(map(is_wrong, each.does.prints)) or any(
-                _is_on_alarm(explorer, at) for at in each.begun
-            )
-            is_wrong_then = says or not each.outputs.isdisjoint(explorer.alarms)
-            brings[each.causes[0].number, bool(each.causes[0].value)].add(is_wrong_then)
-    return {number: not on for (number, on), found in sorted(brings.items()) if found == {True}}
 
 
 def _with_others(settings: Settings, inputs: Sequence[int], rule: Entry) -> Settings:

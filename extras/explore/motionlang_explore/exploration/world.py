@@ -214,12 +214,16 @@ class _Description:
             self._take({**self._settings, change.table: [*rest, *each]} for each in tried)
 
     def _describe_others(self) -> None:
-        """Let other inputs be on where that makes no difference, or answer where the program waits for both levels."""
+        """Let other inputs be on where that makes no difference, or answer if the program waits for both levels."""
         others = set(self._explorer.channels) - self._flips.keys() - self._explorer.triggers
         leads: dict[int, set[object]] = defaultdict(set)
-        for each in (each for node in self._explorer.nodes.values() for each in node.transitions):
-            if len(each.causes) == 1 and each.causes[0].table == "input":
-                leads[each.causes[0].number].add(each.causes[0].value)
+        for node in self._explorer.nodes.values():
+            for each in node.transitions:
+                (channel, value), *more = [(one.channel, one.value) for one in each.causes] or [
+                    (("", 0), 0.0)
+                ]
+                if channel[0] == "input" and not more and node.channels == [channel]:
+                    leads[channel[1]].add(value)
         for number in sorted(others) if self._cycle.repeats else ():
             for rule in (ASKED, ON) if len(leads[number]) > 1 else (ON,):
                 settings = self._with([{"channel": number, **rule}], number)
