@@ -67,7 +67,9 @@ class Exploration:
         elif before is not None and (before._decides == self._decides or not explorer.has_work):
             self.world = before.world
         else:
-            self.world = self.world_of(self.cycles)
+            world = self.world_of(self.cycles)
+            # Little of the work may be left, and a cycle that was not played comes to nothing.
+            self.world = world if world.times or before is None else before.world
         # The statements of the tasks beside the work: those that blink, regulate or watch.
         self.beside = explorer.beside
         # The axes that each line moves.

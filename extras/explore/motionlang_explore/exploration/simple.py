@@ -67,11 +67,12 @@ SILENT = "prints nothing"
 ENOUGH, HALF = 3, 0.5
 # What counts for a run: all statements, its end, a line that moves to a target, another motion, an output, a printed
 # line. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
-# entry of the machine file, less for a number or a key that comes whenever it is asked for, more for what pulses.
+# entry of the machine file, less for a number or a key that comes whenever it is asked for, more for what pulses, and
+# much more for a level that follows an axis.
 WHOLE, ENDS = 4.0, 2.0
 MOVE, JOG, OUTPUT, SAID = "move", "jog", "output", "said"
 WORTH = {MOVE: 1.5, JOG: 0.5, OUTPUT: 0.5, SAID: 2.0}
-WRONG, NEVER, NOTHING, ENTRY, ANSWERS, PULSED = 4.0, 3.0, 5.0, 0.01, 0.5, 1.5
+WRONG, NEVER, NOTHING, ENTRY, ANSWERS, PULSED, MOVING = 4.0, 3.0, 5.0, 0.01, 0.5, 1.5, 20.0
 # A flow meter or a tachometer comes and goes so fast, s.
 COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
 # So many marks are on the way of an axis, or one in each move of one of so many lengths, up to so many in all.
@@ -396,9 +397,11 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
 
 
 def _cost(table: str, entry: Entry) -> float:
-    """Return the cost of an entry: that of an answer is lower, that of an input that pulses by itself is higher."""
+    """Return the cost of an entry: that of an answer is lower, that of what pulses or follows an axis is higher."""
     if table in WRITES and "asked" in entry:
         return ANSWERS
+    if "per_unit" in entry:
+        return MOVING
     return PULSED if "every" in entry and "axis" not in entry else 1.0
 
 
