@@ -180,9 +180,9 @@ VERDICTS = [
     (f"MASTERCHANNEL(0) = 2 : MASTERSOURCE(0) = 2 : FOLLOW(0) = 1\n{LOOP.format('  OUTX(1) = 1')}",
      "FOLLOW(0) = 1", "FOLLOW(0) = 2", "with encoders that turn: A axis 0 FOLLOW at 1000"),
     # A count, a press that is long, a time-out.
-    (COUNT, "60", "61", "'full' comes 0.600 s later in B"),
-    (COUNT, '"full"', '"box full"', "A 'full' after 35.70 s, B 'box full'"),
-    (COUNT, 'PRINT "full" : ', "", "A 'full' after 35.70 s, B does not"),
+    (COUNT, "60", "61", "'full' comes 0.040 s later in B"),
+    (COUNT, '"full"', '"box full"', "A 'full', then 'full', then 'full' and 21 more after 2.38 s, B 'box full'"),
+    (COUNT, 'PRINT "full" : ', "", "A 'full', then 'full', then 'full' and 21 more after 2.38 s, B does not"),
     # The cycle, too, is played until the count is reached.
     pytest.param(LOOP.format(f"  MOVEA(0) = 5{GO} : MOVEA(0) = 0{GO}")
      .replace("End", '  n = n + 1\n  If n = 12 Then PRINT "full" : n = 0\nEnd'), '"full"', '"box full"', "in 2 ways",
@@ -221,7 +221,7 @@ VERDICTS = [
      "line 6 of A changed, and nothing that was played depends on it"),
     (LOOP.format('  If INX(2) Then n = 0\n  If INX(3) Then n = n + 1\n  If n = 2 Then PRINT "TWO"'),
      "  If INX(2) Then n = 0\n  If INX(3) Then n = n + 1\n", "  If INX(3) Then n = n + 1\n  If INX(2) Then n = 0\n",
-     "'TWO' comes 0.600 s later in B (line 7 of A)"),
+     "'TWO' comes 0.040 s later in B (line 7 of A)"),
 ]  # fmt: skip
 
 
