@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.controller.scale import Scale
+from motionlang.kernel.controller.watch import Thresholds, Watch
 from motionlang.kernel.planners import MotionState, Profile, hold
 from motionlang.kernel.planners.limits import LARGEST
 
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.state import ControllerState
     from motionlang.kernel.controller.triggers.homing import Homing
     from motionlang.kernel.controller.triggers.limit import Limit
-    from motionlang.kernel.controller.watch import Watch
     from motionlang.kernel.log.move import LoggedMove
 
 # The initial settings of an axis; a dialect's table may override them (Mint's SPEED is 40000).
@@ -102,6 +102,7 @@ class Axis:
         "suspend_time",
         "suspended_with",
         "target",
+        "thresholds",
         "watches",
         "zeroed_at",
     )
@@ -166,6 +167,7 @@ class Axis:
         self.present: Profile | None = self.profiles[-1]
         # In order of creation.
         self.watches: dict[Watch, None] = {}
+        self.thresholds = Thresholds()
         # When the axis was last known to be exactly at a position, that position, and its profile.
         self.crossed: tuple[float, float, Profile] | None = None
         # Called with each new profile when it begins, such as by an axis that is geared to this one.

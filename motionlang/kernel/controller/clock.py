@@ -41,14 +41,15 @@ class Clock:
         self.made = self.fired = 0
         self._heap: list[tuple[float, int, TimedCall]] = []
 
-    def at(self, time: float, call: Callable[[], object]) -> TimedCall:
-        """Call `call` at `time`; events at the same time run in order of creation.
+    def at(self, time: float, call: Callable[[], object], number: int | None = None) -> TimedCall:
+        """Call `call` at `time`; events at the same time run in order of creation, or of a reserved `number`.
 
         If the call returns true, it woke no other task.
         """
         event = TimedCall(time, call)
-        self.made += 1
-        heappush(self._heap, (time, self.made, event))
+        if number is None:
+            self.made = number = self.made + 1
+        heappush(self._heap, (time, number, event))
         if time < self.horizon:
             self.horizon = time
         return event
@@ -60,6 +61,11 @@ class Clock:
         heappush(self._heap, (time, made, event))
         if time < self.horizon:
             self.horizon = time
+
+    def reserve(self, count: int) -> int:
+        """Reserve the numbers of events that are created later; return the one before the first."""
+        first, self.made = self.made, self.made + count
+        return first
 
     def next_time(self) -> float:
         """Return the time of the next pending event, infinite if there is none."""

@@ -1,16 +1,35 @@
 """Watches: calls at the exact time at which an axis passes a position.
 
-Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Each
-new profile of an axis solves them again; nothing polls.
+Switches, index marks, software limits, latches, position-triggered inputs and outputs are all watches. Nothing polls.
+
+Problem. An axis may have thousands of watches, such as a mark every 10 mm, and each profile passes them at other times.
+
+Idea. An axis passes the nearest watch on either side first. Only those next to the axis are solved when a profile
+begins, and each pass solves the next one in its direction.
+
+Data. `axis.watches` has all watches in order of creation. `axis.thresholds` has them by position: those of the program
+and those of the machine apart, because a new zero shifts them against each other. `solved` are the watches whose
+`event` is their next pass on the present profile, or None if there is none.
+
+Invariants.
+- A watch that is not solved is behind a solved one that is passed at an earlier time. So of several watches that are
+  passed at the same time, all are solved before the first is passed.
+- The event of a watch does not depend on when the watch is solved: not its time, which is solved from the start of the
+  profile, nor its order among the events of that time, for which `numbers` are reserved in order of creation.
+- The side of a watch changes when it is passed, or when a profile does not begin where the one before it ended.
+
+Cost. Two watches on each side for each profile, one for each pass, and their binary search.
 """
 
 from __future__ import annotations
 
+from bisect import bisect_left, insort
 from collections.abc import Callable
-from math import inf, ulp
+from functools import partial
+from math import ulp
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.clock import TimedCall
+from motionlang.kernel.controller.clock import INFINITY, TimedCall
 from motionlang.kernel.planners import Profile
 
 if TYPE_CHECKING:
@@ -18,7 +37,6 @@ if TYPE_CHECKING:
 
 # Counts within which an axis is at a position: far below any encoder, far above rounding.
 _ON = 1e-6
-EVERYWHERE = -inf, inf
 
 
 class Watch:
@@ -30,77 +48,145 @@ class Watch:
     program.
     """
 
-    __slots__ = ("call", "event", "physical", "position", "side")
+    __slots__ = ("call", "event", "number", "physical", "position", "side")
 
     def __init__(self, position: float, call: Callable[[int], None], physical: bool) -> None:
         self.position, self.call, self.physical = position, call, physical
         self.side = 0  # the last side of the axis: above, below, or not known yet
         self.event: TimedCall | None = None
+        self.number = 0  # of its creation, among the watches of its axis
+
+
+class Thresholds:
+    """The watches of an axis by position, those of the program and those of the machine."""
+
+    __slots__ = ("count", "numbers", "rows", "seen", "solved")
+
+    def __init__(self) -> None:
+        self.rows: tuple[list[_Row], list[_Row]] = [], []
+        # The positions, of the program and of the machine, up to which the sides are set.
+        self.seen = [0.0, 0.0]
+        self.solved: dict[Watch, None] = {}
+        self.count = self.numbers = 0
+
+
+_Row = tuple[float, int, Watch]
 
 
 def begin(axis: Axis, watch: Watch) -> None:
-    """Add a watch to those of an axis."""
+    """Add a watch to those of an axis; it applies to the simulated motor, if there is one."""
+    thresholds = axis.thresholds
+    thresholds.count += 1
+    watch.number = thresholds.count
     axis.watches[watch] = None
-    _arm(axis, watch)
+    insort(thresholds.rows[watch.physical], _row(watch))
+    if axis.feedback is not None:
+        axis.feedback.arm(watch)
+    elif not _arm(axis, watch, axis.clock.now - axis.starts[-1]):
+        thresholds.seen[watch.physical] = watch.position
 
 
 def end(axis: Axis, watch: Watch) -> None:
     """Remove a watch from those of an axis."""
     del axis.watches[watch]
+    rows = axis.thresholds.rows[watch.physical]
+    i = bisect_left(rows, _row(watch))
+    del rows[i]
     _cancel(watch)
+    if watch in axis.thresholds.solved:
+        del axis.thresholds.solved[watch]
+        _look_ahead(axis, rows, i, 1)
+        _look_ahead(axis, rows, i - 1, -1)
 
 
 def solve(axis: Axis) -> None:
-    """Solve all watches on a new profile, in order of creation; a pass that is due now may end others."""
-    reach = _reach(axis.profiles[-1]) if len(axis.watches) > 1 else EVERYWHERE
-    for watch in tuple(axis.watches):
-        if watch in axis.watches:
-            _arm(axis, watch, reach)
-
-
-def _reach(profile: Profile) -> tuple[float, float]:
-    """Return bounds of the positions of a motion, wide enough for rounding."""
-    if profile.duration == inf or profile.end_velocity:
-        return EVERYWHERE
-    low, high = profile.extrema()
-    more = _ON + 1e-9 * (abs(low) + abs(high))
-    return low - more, high + more
-
-
-def _arm(axis: Axis, watch: Watch, reach: tuple[float, float] = EVERYWHERE) -> None:
-    """Solve one watch on the axis's present profile from now on; `reach` are the bounds of its positions.
-
-    If the axis has a simulated motor, the watch applies to the motor instead. A pass that is due now, such as arrival
-    at the position, happens first.
-    """
-    if axis.feedback is not None:
-        axis.feedback.arm(watch)
-        return
-    pending, now = watch.event, axis.clock.now
-    if pending is not None and pending.call is not None and pending.time <= now:
-        pass_now = pending.call
-        pending.cancel()
-        pass_now()
-        if watch not in axis.watches:  # it has ended in its own call
-            return
-    position = watched_position(axis, watch)
-    side = side_of(axis.profiles[-1].position(now - axis.starts[-1]) - position, position)
-    watch.side = side or watch.side  # at the position itself, the side stays
-    if reach[0] <= position <= reach[1]:
-        _solve(axis, watch, now, side)
-    else:
+    """Solve the watches next to the axis on a new profile, after the passes that are due now."""
+    thresholds, profile, now = axis.thresholds, axis.profiles[-1], axis.clock.now
+    due = [each for each in thresholds.solved if each.event is not None and each.event.time <= now]
+    for watch in sorted(due, key=lambda each: each.number):
+        pending = watch.event
+        if pending is not None and pending.call is not None and pending.time <= now:
+            pass_now = pending.call
+            pending.cancel()
+            pass_now()
+            if axis.profiles[-1] is not profile:  # the call began another one, which has solved the watches
+                return
+    for watch in thresholds.solved:
         _cancel(watch)
+    thresholds.solved.clear()
+    position = profile.position(0.0)
+    if profile.shape != "hold":
+        thresholds.numbers = axis.clock.reserve(thresholds.count)
+    for physical, rows in enumerate(thresholds.rows):
+        if rows:
+            here = position - axis.datum if physical else position
+            _take_sides(axis, rows, thresholds.seen[physical], here)
+            thresholds.seen[physical] = here
+            if profile.shape != "hold":
+                _solve_neighbours(axis, rows, here)
 
 
-def _solve(axis: Axis, watch: Watch, now: float, side: int) -> None:
+def _take_sides(axis: Axis, rows: list[_Row], before: float, here: float) -> None:
+    """Set the sides of the watches between two positions."""
+    low, high = min(before, here), max(before, here)
+    more = _ON + 1e-9 * (abs(low) + abs(high))  # wide enough for rounding
+    for _, _, watch in rows[bisect_left(rows, (low - more,)) : bisect_left(rows, (high + more,))]:
+        _take_side(axis, watch, 0.0)
+
+
+def _take_side(axis: Axis, watch: Watch, elapsed: float) -> int:
+    """Set the side of a watch at a time of the profile; return it, or 0 at the watch itself, where the side stays."""
+    position = watched_position(axis, watch)
+    side = side_of(axis.profiles[-1].position(elapsed) - position, position)
+    watch.side = side or watch.side
+    return side
+
+
+def _solve_neighbours(axis: Axis, rows: list[_Row], here: float) -> None:
+    """Solve the watches at a position, and those next to it on both sides."""
+    above = bisect_left(rows, (here,))
+    for i, step in ((above, 1), (above - 1, -1)):
+        while 0 <= i < len(rows) and not _arm_from_start(axis, rows[i][2]):
+            i += step
+        _look_ahead(axis, rows, i, step)
+
+
+def _look_ahead(axis: Axis, rows: list[_Row], i: int, step: int) -> None:
+    """Solve watches from number `i` on, up to one that is passed later than the one before it."""
+    before = INFINITY
+    while 0 <= i < len(rows):
+        watch = rows[i][2]
+        if watch not in axis.thresholds.solved:
+            _arm_from_start(axis, watch)
+        if watch.event is None or watch.event.time > before:
+            return
+        before = watch.event.time
+        i += step
+
+
+def _arm_from_start(axis: Axis, watch: Watch) -> int:
+    """Solve a watch from the start of the profile on, as if it had been solved then."""
+    return _arm(axis, watch, 0.0, axis.thresholds.numbers + watch.number)
+
+
+def _arm(axis: Axis, watch: Watch, elapsed: float, number: int | None = None) -> int:
+    """Solve a watch from a time of the profile on; return its side at that time."""
+    side = _take_side(axis, watch, elapsed)
+    _solve(axis, watch, elapsed, side, number)
+    return side
+
+
+def _solve(axis: Axis, watch: Watch, elapsed: float, side: int, number: int | None = None) -> None:
     """Schedule the next change from the present `side` (0: at the position)."""
     _cancel(watch)
-    start, profile = axis.starts[-1], axis.profiles[-1]
+    axis.thresholds.solved[watch] = None
+    profile = axis.profiles[-1]
     if profile.shape == "hold":
         return
-    found, after = _next(profile, watched_position(axis, watch), now - start, side)
+    found, after = _next(profile, watched_position(axis, watch), elapsed, side)
     if found is not None:
-        watch.event = axis.clock.at(start + found, lambda: _changed(axis, watch, after, reached=side != 0))
+        changed = partial(_changed, axis, watch, after, reached=side != 0)
+        watch.event = axis.clock.at(axis.starts[-1] + found, changed, number)
 
 
 def _next(profile: Profile, position: float, elapsed: float, side: int) -> tuple[float | None, int]:
@@ -134,9 +220,12 @@ def _changed(axis: Axis, watch: Watch, side: int, reached: bool) -> None:
     """Set the new `side` after the axis has `reached` the position, or has left it."""
     watch.event = None
     before, watch.side = watch.side, side
+    axis.thresholds.seen[watch.physical] = watch.position
     if reached:
         axis.cross(axis.clock.now, watched_position(axis, watch))
-    _solve(axis, watch, axis.clock.now, 0 if reached else side)
+    rows = axis.thresholds.rows[watch.physical]
+    _look_ahead(axis, rows, bisect_left(rows, _row(watch)) + side, side)
+    _solve(axis, watch, axis.clock.now - axis.starts[-1], 0 if reached else side)
     if before and before != side:
         watch.call(side)
 
@@ -145,6 +234,10 @@ def _cancel(watch: Watch) -> None:
     if watch.event is not None:
         watch.event.cancel()
         watch.event = None
+
+
+def _row(watch: Watch) -> _Row:
+    return watch.position, watch.number, watch
 
 
 def watched_position(axis: Axis, watch: Watch) -> float:
