@@ -16,7 +16,7 @@ from time import process_time
 
 from benchmarks.programs import PROGRAMS, Program
 from benchmarks.styles import STYLES, Style
-from motionlang.kernel.execution import dialect_of
+from motionlang.kernel.lang.dialect import dialect_of
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.source import Source

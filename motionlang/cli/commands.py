@@ -11,7 +11,6 @@ from contextlib import suppress
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from motionlang.cli.command import Command
 from motionlang.cli.parser import Parser
 from motionlang.extras import COMMANDS as EXTRAS
 from motionlang.extras import installation
@@ -20,6 +19,8 @@ from motionlang.kernel.version import __version__
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
+
+    from motionlang.cli.command import Command
 
 PROGRAM, VERSION = "motionlang", ("-V", "--version")
 # Every command by its group: the class that has its options and does its work, imported only for this command, and its

@@ -6,13 +6,16 @@ import os
 import sys
 from collections.abc import Sequence
 from errno import ENOENT
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
-from motionlang.kernel import STDIN, STDIN_NAME, Diagnostic, Run, Source
+from motionlang.kernel import STDIN, STDIN_NAME, Diagnostic, Source
 from motionlang.kernel.failures import failed_events, failures, located
 from motionlang.kernel.files import reason
 from motionlang.views.diagnostics import render_all
 from motionlang.views.terminal import printable, wants_colour, width_of
+
+if TYPE_CHECKING:
+    from motionlang.kernel import Run
 
 
 def unreadable(file: str, error: OSError) -> Diagnostic:

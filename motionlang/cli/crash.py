@@ -8,8 +8,6 @@ from __future__ import annotations
 
 import os
 import sys
-import tempfile
-import traceback
 from collections.abc import Iterable, Sequence
 
 from motionlang.kernel import MAX_BYTES, STDIN, Diagnostic, Source, dialect_of, machine_of
@@ -32,6 +30,8 @@ def crash(error: BaseException, arguments: Sequence[str], source: Source | None 
     `source` is a program that has no file. An error caused by a missing library gets a message of its own, with
     the code "extra", and nothing is stored.
     """
+    import traceback
+
     lacking = missing(error, "this run")
     if lacking is not None:
         return Diagnostic("extra", lacking.message, hint=lacking.hint)
@@ -46,6 +46,7 @@ def crash(error: BaseException, arguments: Sequence[str], source: Source | None 
 
 
 def _bundle(error: BaseException, arguments: Sequence[str], source: Source | None) -> str:
+    import traceback
     from platform import platform
 
     folder = _folder()
@@ -67,8 +68,10 @@ def _bundle(error: BaseException, arguments: Sequence[str], source: Source | Non
 
 def _folder() -> str:
     """Create a folder that no other user may read, and return its path."""
+    from tempfile import gettempdir
+
     for number in range(MAX_FOLDERS):
-        path = os.path.join(tempfile.gettempdir(), f"motionlang-crash-{os.getpid()}-{number}")
+        path = os.path.join(gettempdir(), f"motionlang-crash-{os.getpid()}-{number}")
         try:
             os.mkdir(path, 0o700)
         except FileExistsError:

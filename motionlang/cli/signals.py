@@ -11,9 +11,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from time import monotonic
 from types import FrameType, TracebackType
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
-from motionlang.kernel import OutOfTime, Run, Terminated
+from motionlang.kernel import OutOfTime, Terminated
+
+if TYPE_CHECKING:
+    from motionlang.kernel import Run
 
 NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
 # Seconds within which another signal is a duplicate: `timeout` signals its child and the group that it is in.

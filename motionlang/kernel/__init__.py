@@ -29,15 +29,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.errors import ProgramError as ProgramError
     from motionlang.kernel.errors import Rejected as Rejected
     from motionlang.kernel.errors import Terminated as Terminated
-    from motionlang.kernel.execution import MACHINE_SUFFIX as MACHINE_SUFFIX
     from motionlang.kernel.execution import ONE_SHIFT as ONE_SHIFT
     from motionlang.kernel.execution import CheckedSettings as CheckedSettings
     from motionlang.kernel.execution import checked_settings as checked_settings
-    from motionlang.kernel.execution import dialect_for as dialect_for
-    from motionlang.kernel.execution import dialect_of as dialect_of
     from motionlang.kernel.execution import end_of as end_of
-    from motionlang.kernel.execution import language_of as language_of
-    from motionlang.kernel.execution import machine_of as machine_of
     from motionlang.kernel.execution import run as run
     from motionlang.kernel.execution import run_on as run_on
     from motionlang.kernel.execution import settings_next_to as settings_next_to
@@ -45,7 +40,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.debugging import Variable as Variable
     from motionlang.kernel.lang.dialect import Dialect as Dialect
     from motionlang.kernel.lang.dialect import dialect as dialect
+    from motionlang.kernel.lang.dialect import dialect_for as dialect_for
+    from motionlang.kernel.lang.dialect import dialect_of as dialect_of
     from motionlang.kernel.lang.dialect import dialects as dialects
+    from motionlang.kernel.lang.dialect import language_of as language_of
     from motionlang.kernel.lang.dialect import parse as parse
     from motionlang.kernel.lang.dialect import unknown_model as unknown_model
     from motionlang.kernel.lang.keyword import Keyword as Keyword
@@ -70,24 +68,25 @@ if TYPE_CHECKING:
     from motionlang.kernel.report_types import Report as Report
     from motionlang.kernel.result import Run as Run
     from motionlang.kernel.run_notes import who_ended as who_ended
+    from motionlang.kernel.source import MACHINE_SUFFIX as MACHINE_SUFFIX
     from motionlang.kernel.source import MAX_BYTES as MAX_BYTES
     from motionlang.kernel.source import STDIN as STDIN
     from motionlang.kernel.source import STDIN_NAME as STDIN_NAME
     from motionlang.kernel.source import Source as Source
+    from motionlang.kernel.source import machine_of as machine_of
     from motionlang.kernel.source import name_of as name_of
     from motionlang.kernel.tracks.trace import Trace as Trace
 
 # The names of each module. Each is imported on first use.
 PUBLIC = {
     # Texts and languages.
-    "source": "Source STDIN STDIN_NAME name_of MAX_BYTES",
-    "lang.dialect": "Dialect dialect dialects parse unknown_model",
+    "source": "Source STDIN STDIN_NAME name_of machine_of MACHINE_SUFFIX MAX_BYTES",
+    "lang.dialect": "Dialect dialect dialects dialect_of dialect_for language_of parse unknown_model",
     "lang.keyword": "Keyword",
     "lang.program": "Program",
     "lang.steps": "Steps",
     # Runs.
-    "execution": "run run_on CheckedSettings end_of ONE_SHIFT dialect_for dialect_of language_of machine_of "
-    "settings_next_to checked_settings MACHINE_SUFFIX",
+    "execution": "run run_on CheckedSettings end_of ONE_SHIFT settings_next_to checked_settings",
     "result": "Run",
     "run_notes": "who_ended",
     "assumptions.used": "depended_on",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import ProgramError, Terminated
 from motionlang.kernel.lang.debugging import Hook, Observer
-from motionlang.kernel.lang.dialect import Dialect, dialect, dialects
+from motionlang.kernel.lang.dialect import Dialect, dialect_for
 from motionlang.kernel.lang.foreign import one_sentence
 from motionlang.kernel.lang.machine.entries import Given, with_entries
 from motionlang.kernel.lang.machine.file import first_mistake, flat, read_machine
@@ -32,7 +32,7 @@ from motionlang.kernel.run_notes import (
     report_wide_positions,
     save_nonvolatile,
 )
-from motionlang.kernel.source import STDIN, Source
+from motionlang.kernel.source import Source, machine_of
 from motionlang.kernel.tools import StackSpace
 
 # The default end of a run, because a machine program has none of its own.
@@ -44,40 +44,12 @@ if TYPE_CHECKING:
 ENOUGH_CYCLES, ENOUGH_TIME = 10, 60.0
 # The factor of the time of the run by which it goes on, at least, if these are not enough yet.
 _LONGER = 1.25
-# The suffix of the machine file next to a program, after its name without suffix.
-MACHINE_SUFFIX = ".machine.toml"
 
 
 class CheckedSettings(dict[str, object]):
     """Settings that have been checked against the machine file's keys."""
 
     __slots__ = ()
-
-
-def dialect_of(file: str) -> Dialect | None:
-    """Return the dialect of a file extension, or None."""
-    suffix = os.path.splitext(file)[1].lower()
-    for name in dialects():
-        if suffix in dialect(name).suffixes:
-            return dialect(name)
-    return None
-
-
-def language_of(wanted: str | None, file: str) -> Dialect | None:
-    """Return the requested dialect, or that of the file extension; None if there is neither."""
-    return dialect(wanted) if wanted else dialect_of(file)
-
-
-def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
-    """Return the machine file of a program: the given one, or the one next to it.
-
-    For `pick.mnt` this is `pick.machine.toml`, or None if that does not exist. Standard input and a `Source` have no
-    folder, and so no machine file.
-    """
-    if given is not None or program is None or isinstance(program, Source) or program == STDIN:
-        return given
-    path = os.path.splitext(program)[0] + MACHINE_SUFFIX
-    return path if os.path.isfile(path) else None
 
 
 def run(
@@ -232,21 +204,6 @@ def checked_settings(machine: Mapping[str, object] | str | os.PathLike[str]) -> 
         if mistake:
             raise ValueError(mistake)
     return dict(machine)
-
-
-def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
-    """Return the requested dialect, or that of the file extension.
-
-    Raises ValueError if there is none.
-    """
-    if wanted is not None:
-        return dialect(wanted) if isinstance(wanted, str) else wanted
-    found = dialect_of(source.name)
-    if found is None:
-        raise ValueError(
-            f"{source.name}: unknown file extension; choose the language with --lang mint or mccl"
-        )
-    return found
 
 
 def _is_ready(program: Program, language: Dialect, result: Run) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.controller.events import HOMING
+from motionlang.kernel.controller.faults import HOMING
 from motionlang.kernel.errors import Diagnostic
 
 if TYPE_CHECKING:

@@ -13,6 +13,8 @@ from typing import BinaryIO
 STDIN, STDIN_NAME = "-", "<stdin>"
 # Bytes of the largest program, since a device may have no end; smaller ones than a chunk are read at once.
 MAX_BYTES, _PIECE = 1 << 26, 1 << 16
+# The suffix of the machine file next to a program, after its name without suffix.
+MACHINE_SUFFIX = ".machine.toml"
 
 
 def name_of(file: str) -> str:
@@ -143,3 +145,15 @@ class Source:
                 end = self.text.find("\n", end + 1)
         line = bisect_left(self._ends, offset)
         return self.before + line, offset - self._ends[line - 1]
+
+
+def machine_of(program: str | os.PathLike[str] | Source | None, given: str | None = None) -> str | None:
+    """Return the machine file of a program: the given one, or the one next to it.
+
+    For `pick.mnt` this is `pick.machine.toml`, or None if that does not exist. Standard input and a `Source` have no
+    folder, and so no machine file.
+    """
+    if given is not None or program is None or isinstance(program, Source) or program == STDIN:
+        return given
+    path = os.path.splitext(program)[0] + MACHINE_SUFFIX
+    return path if os.path.isfile(path) else None

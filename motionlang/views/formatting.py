@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from math import isfinite
+from typing import TYPE_CHECKING
 
-from motionlang.kernel import Run
+if TYPE_CHECKING:
+    from motionlang.kernel import Run
 
 DIALECTS = {"mint": "Mint", "mccl": "MCCL"}
 # A share of the largest number of a column below which another one is a rounding error of zero.

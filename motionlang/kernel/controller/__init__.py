@@ -43,7 +43,7 @@ from motionlang.kernel.lazy import lazy_names
 
 if TYPE_CHECKING:
     from motionlang.kernel.controller.clock import Clock as Clock
-    from motionlang.kernel.controller.events import HOMING as HOMING
+    from motionlang.kernel.controller.faults import HOMING as HOMING
     from motionlang.kernel.controller.faults import fault_names as fault_names
     from motionlang.kernel.controller.io.channels import Channels as Channels
     from motionlang.kernel.controller.io.host_memory import PRODUCTS as PRODUCTS
@@ -62,8 +62,7 @@ if TYPE_CHECKING:
 
 PUBLIC = {
     "clock": "Clock",
-    "faults": "fault_names",
-    "events": "HOMING",
+    "faults": "fault_names HOMING",
     "io.channels": "Channels",
     "io.host_memory": "HostMemory PRODUCTS product",
     "motion.encoder": "AUXILIARY",

@@ -12,6 +12,7 @@ from motionlang.kernel.controller.faults import (
     ABORT,
     ERROR_INPUT,
     FOLLOWING_ERROR,
+    HOMING,
     LIMIT_FORWARD,
     LIMIT_REVERSE,
     SOFT_LIMIT_FORWARD,
@@ -39,8 +40,6 @@ Rates = tuple[float, float]
 BY_DESIGN = "by design"
 # A smaller relative jump of velocity is rounding.
 _ROUNDING = 1e-6
-# The name of a limit that homing has searched for.
-HOMING = "homing"
 
 
 def note(

@@ -12,6 +12,8 @@ SOFT_LIMIT_REVERSE = 32
 FOLLOWING_ERROR = 64
 DRIVE = 256
 ALL = 511
+# The text of a limit that homing has searched for.
+HOMING = "homing"
 NAMES = (
     "abort",
     "error input",

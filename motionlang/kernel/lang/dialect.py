@@ -6,6 +6,7 @@ it is called, so that a command imports only what it needs.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
@@ -43,6 +44,35 @@ def dialect(name: str) -> Dialect:
         raise ValueError(f"there is no dialect {name!r}: {' or '.join(PACKAGES)}")
     __import__(PACKAGES[name])
     found: Dialect = sys.modules[PACKAGES[name]].DIALECT
+    return found
+
+
+def dialect_of(file: str) -> Dialect | None:
+    """Return the dialect of a file extension, or None."""
+    suffix = os.path.splitext(file)[1].lower()
+    for name in dialects():
+        if suffix in dialect(name).suffixes:
+            return dialect(name)
+    return None
+
+
+def language_of(wanted: str | None, file: str) -> Dialect | None:
+    """Return the requested dialect, or that of the file extension; None if there is neither."""
+    return dialect(wanted) if wanted else dialect_of(file)
+
+
+def dialect_for(source: Source, wanted: str | Dialect | None) -> Dialect:
+    """Return the requested dialect, or that of the file extension.
+
+    Raises ValueError if there is none.
+    """
+    if wanted is not None:
+        return dialect(wanted) if isinstance(wanted, str) else wanted
+    found = dialect_of(source.name)
+    if found is None:
+        raise ValueError(
+            f"{source.name}: unknown file extension; choose the language with --lang mint or mccl"
+        )
     return found
 
 
