@@ -10,36 +10,27 @@ from html import escape
 from io import BytesIO, TextIOWrapper
 from typing import Any, BinaryIO, ClassVar, cast
 
+from motionlang import kernel
 from motionlang.cli.command import Command, Refused, WrongOption, flag, option
 from motionlang.cli.complaints import complain, no_dialect, unreadable, unwritten
-from motionlang.cli.output_files import written
 from motionlang.cli.parser import either
 from motionlang.cli.readers import allowed, whole
 from motionlang.kernel import (
     MACHINE_SUFFIX,
     STDIN,
     STDIN_NAME,
-    CheckedSettings,
     Diagnostic,
-    Dialect,
     ProgramError,
     Source,
-    WrongEntry,
-    check_setting,
     dialect_of,
     dialects,
     language_of,
     machine_of,
-    read_machine,
-    read_value,
-    with_entries,
 )
 from motionlang.kernel.files import replacing
 from motionlang.kernel.lang import canonical
 from motionlang.kernel.tools import clipped, shown
 from motionlang.views.documents import page
-from motionlang.views.figure import Figure
-from motionlang.views.figure_files import write_figure
 from motionlang.views.table import Document
 from motionlang.views.terminal import draws, plain
 
@@ -103,14 +94,14 @@ class Language(Command):
     lang: str | None = option("", "the language; default: by file extension", choices=dialects())
 
     @property
-    def language(self) -> Dialect | None:
+    def language(self) -> kernel.Dialect | None:
         """The language of the program, if it is known."""
         return language_of(self.lang, self.file)
 
     def unnamed_files(self) -> list[str]:
         return machine_next_to(self.file)
 
-    def known_language(self) -> Dialect:
+    def known_language(self) -> kernel.Dialect:
         """Return the language of the program; Refused if nothing names it."""
         if self.language is None:
             raise Refused([no_dialect(self.file)], file=self.file, status=2)
@@ -146,9 +137,9 @@ class ProgramOptions(OnMachine):
         """Return the path of the machine file: the given one, or that next to the program; None without one."""
         return machine_of(self.file or None, self.machine)
 
-    def settings(self) -> CheckedSettings:
+    def settings(self) -> kernel.CheckedSettings:
         """Return the settings of the machine file and of `--set`, which come first; Refused for a wrong file."""
-        settings, path = CheckedSettings(given_settings(self.set, self.language)), self.machine_path()
+        settings, path = kernel.CheckedSettings(given_settings(self.set, self.language)), self.machine_path()
         if path is not None:
             for key, value in settings_of(path, self.language).items():
                 settings.setdefault(key, value)
@@ -261,19 +252,6 @@ class Findings(OutputOptions):
 
 
 @dataclass
-class Picture(Command):
-    """A picture of the result."""
-
-    title: ClassVar[str] = "picture"
-    plot: str | None = option("FILE", "draw the result into a file", suffixes=(".png", ".svg"))
-
-    def drawn(self, figure: Callable[[], Figure]) -> int:
-        """Write a figure into the file, if wished; return the exit status."""
-        path = self.plot
-        return 0 if path is None else written(path, lambda: write_figure(figure(), path))
-
-
-@dataclass
 class Jobs(Command):
     """Work on several processes."""
 
@@ -297,16 +275,16 @@ def read(file: str) -> Source:
         raise Refused([unreadable(file, error)], file=file) from None
 
 
-def settings_of(path: str, language: Dialect | None = None) -> dict[str, object]:
+def settings_of(path: str, language: kernel.Dialect | None = None) -> dict[str, object]:
     """Return the settings of a machine file; Refused for a wrong file."""
     machine = read(path)
     try:
-        return read_machine(machine, language=language)
+        return kernel.read_machine(machine, language=language)
     except ProgramError as error:
         raise Refused(error.diagnostics, source=machine, file=path) from None
 
 
-def given_settings(pairs: Sequence[str], language: Dialect | None) -> dict[str, object]:
+def given_settings(pairs: Sequence[str], language: kernel.Dialect | None) -> dict[str, object]:
     """Return the keys of the machine file among NAME=VALUE pairs; WrongOption for an invalid pair."""
     found: dict[str, object] = {}
     for pair in pairs:
@@ -315,7 +293,7 @@ def given_settings(pairs: Sequence[str], language: Dialect | None) -> dict[str, 
             raise WrongOption(f"--set needs NAME=VALUE, not {shown(pair)}")
         if "." in name:
             found[name] = _setting(text)
-            problem = check_setting(name, found[name], language)
+            problem = kernel.check_setting(name, found[name], language)
             if problem is not None:
                 raise WrongOption(f"--set {clipped(pair)}: {problem[0]}; {problem[1]}")
     return found
@@ -334,7 +312,7 @@ def _split(pair: str) -> tuple[str, str, str]:
 def _setting(text: str) -> object:
     """Parse the value of a machine key as in the machine file; a bare word is a text."""
     try:
-        return read_value(text)
+        return kernel.read_value(text)
     except ProgramError:  # no TOML, more digits than Python reads, or nested too deeply
         return text
 
@@ -349,8 +327,8 @@ def _number_or_text(text: str) -> float | str:
 def with_world(settings: dict[str, object], entries: dict[str, list[str]]) -> dict[str, object]:
     """Return the settings, overridden by the entries of a world; Refused if one is wrong."""
     try:
-        return with_entries(settings, **entries)
-    except WrongEntry as error:
+        return kernel.with_entries(settings, **entries)
+    except kernel.WrongEntry as error:
         raise Refused([Diagnostic("option", error.message, hint=error.hint)], status=2) from None
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from motionlang import kernel
 from motionlang.cli.complaints import complain, unwritten
-from motionlang.kernel import Diagnostic, Terminated, who_ended
+from motionlang.kernel import Diagnostic, Terminated
 
 
 def written(path: str, write: Callable[[], None]) -> int:
@@ -16,7 +17,11 @@ def written(path: str, write: Callable[[], None]) -> int:
         raise
     except (KeyboardInterrupt, Terminated) as error:
         complain(
-            [Diagnostic("interrupted", f"{path} was not written: the command was ended {who_ended(error)}")],
+            [
+                Diagnostic(
+                    "interrupted", f"{path} was not written: the command was ended {kernel.who_ended(error)}"
+                )
+            ],
             None,
             path,
         )

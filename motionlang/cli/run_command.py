@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from time import monotonic, sleep
 from typing import ClassVar
 
+from motionlang import kernel
 from motionlang.cli.command import Refused, WrongOption, argument, option
 from motionlang.cli.complaints import complain, run_status
 from motionlang.cli.crash import CRASHED, UNAVAILABLE, crash
@@ -28,16 +29,13 @@ from motionlang.kernel import (
     Run,
     Source,
     Terminated,
-    WrongEntry,
     end_of,
-    entries,
+    lang,
     missing_axes,
     name_of,
     run,
     who_ended,
-    with_entries,
 )
-from motionlang.kernel.lang import check_inputs_are_read
 from motionlang.kernel.report import assumptions, failure, pieces, remembered
 from motionlang.kernel.tools import MissingExtra, listed
 from motionlang.views.formatting import clock_time
@@ -70,9 +68,9 @@ class Prepared(WorldOptions, ProgramOptions):
         given = self.entries()
         if given:
             try:
-                check_inputs_are_read(program, language, settings, entries(settings, **given))
-                settings = CheckedSettings(with_entries(settings, **given))
-            except WrongEntry as error:
+                lang.check_inputs_are_read(program, language, settings, kernel.entries(settings, **given))
+                settings = CheckedSettings(kernel.with_entries(settings, **given))
+            except kernel.WrongEntry as error:
                 wrong = Diagnostic("option", error.message, hint=error.hint)
                 raise Refused([wrong], file=self.file, status=2) from None
         axes: int = settings.get("controller.axes", DEFAULT_AXES)  # type: ignore[assignment]

@@ -7,12 +7,12 @@ from collections.abc import Callable, Mapping
 from math import inf, isclose
 from typing import TYPE_CHECKING
 
+from motionlang import kernel
+from motionlang.kernel import lang
 from motionlang.kernel.errors import ProgramError, Terminated
 from motionlang.kernel.lang.debugging import Hook, Observer
 from motionlang.kernel.lang.dialect import Dialect, dialect_for
 from motionlang.kernel.lang.foreign import one_sentence
-from motionlang.kernel.lang.machine.entries import Given, with_entries
-from motionlang.kernel.lang.machine.file import first_mistake, flat, read_machine
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.program import Program
 from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
@@ -38,6 +38,7 @@ from motionlang.kernel.tools import StackSpace
 # The default end of a run, because a machine program has none of its own.
 ONE_SHIFT = 8 * 3600.0
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.machine.entries import Given
     from motionlang.kernel.log.cycle import Cycle
 
 # A program without an end runs so many whole cycles, and so many seconds behind the last entry of the machine file.
@@ -90,7 +91,7 @@ def run(
     language = dialect_for(source, dialect)
     settings = checked_settings(machine) if machine is not None else settings_next_to(program)
     if inputs or analog or answers or keys:
-        settings = with_entries(settings, inputs, analog, answers, keys)
+        settings = kernel.with_entries(settings, inputs, analog, answers, keys)
     virtual = Machine(
         settings,
         first_axis=language.first_axis,
@@ -191,16 +192,16 @@ def settings_next_to(program: str | os.PathLike[str] | Source) -> dict[str, obje
     if path is None:
         return {}
 
-    return read_machine(Source.read(path))
+    return kernel.read_machine(Source.read(path))
 
 
 def checked_settings(machine: Mapping[str, object] | str | os.PathLike[str]) -> dict[str, object]:
     """Return the settings of a machine file, or a caller's, by dotted key, checked; tables may be nested."""
     if isinstance(machine, str | os.PathLike):
-        return read_machine(Source.read(machine))
+        return kernel.read_machine(Source.read(machine))
     if machine and not isinstance(machine, CheckedSettings):
-        machine = dict(flat(machine))
-        mistake = first_mistake(machine)
+        machine = dict(lang.flat(machine))
+        mistake = lang.first_mistake(machine)
         if mistake:
             raise ValueError(mistake)
     return dict(machine)

@@ -9,14 +9,13 @@ from collections.abc import Mapping, Sequence
 from itertools import chain
 from math import inf
 
+from motionlang.kernel import lang
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.errors import Diagnostic, OutOfTime, Terminated
 from motionlang.kernel.files import InUse
-from motionlang.kernel.lang.machine.keys import DRIVES
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
 from motionlang.kernel.lang.scheduler import Scheduler, Stuck
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.wait_hints import what_ends, what_frees
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.log.records import Event
@@ -204,7 +203,7 @@ def report_guesses(result: Run) -> None:
     for name, log in (("input", machine.log.inputs), ("analogue", machine.log.analogue_inputs)):
         changed = {each.channel for each in log} if tables.get(name) else set()
         used = sorted({each["channel"] for each in tables.get(name, ()) if each["channel"] in changed})
-        found += [f"{DRIVES[name][0]} {', '.join(map(str, used))}"] if used else []
+        found += [f"{lang.DRIVES[name][0]} {', '.join(map(str, used))}"] if used else []
         count += len(used)
     if tables.get("answer"):
         left = machine.unasked()
@@ -216,7 +215,7 @@ def report_guesses(result: Run) -> None:
     found += [count_of(len(pressed), "key")] if pressed else []
     count += len(pressed)
     for name in _WRITTEN:
-        what, number = DRIVES[name]
+        what, number = lang.DRIVES[name]
         numbers: set[int] = {each[number] for each in stimuli.used(name) if each.get("guess")}  # type: ignore[misc]
         found += [f"{what} {', '.join(map(str, sorted(numbers)))}"] if numbers else []
         count += len(numbers)
@@ -324,7 +323,7 @@ def _was_fed(result: Run, task: Task, wait: Wait) -> bool:
     """True if entries of the machine file have changed what a task waits for, or what handlers answer."""
     machine = result.machine
     is_called = any(each.kind == "handler" for each in machine.log.events.written())
-    tables = result.dialect.driven_by(wait.why) or (DRIVES if is_called else ())
+    tables = result.dialect.driven_by(wait.why) or (lang.DRIVES if is_called else ())
     changed = {each.channel for each in machine.log.inputs.written()}
     named = set(wait.what) if wait.cause == "input" else changed
     return ("input" in tables and bool(changed & named)) or any(map(machine.controller.stimuli.used, tables))
@@ -348,7 +347,7 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
     waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
     hints = (
         find(result.dialect, result.program, result.machine, task, wait)
-        for find in (what_ends, what_frees)
+        for find in (lang.what_ends, lang.what_frees)
         for task, wait in waits
     )
     start = "start a move first, or add a machine file with the event that it waits for"

@@ -105,6 +105,8 @@ examples:
         parser = _parser(words) if self._wants_all and (not words or words[0] in COMMANDS) else None
         if parser is not None:
             found.append(Meaning("a command", name, parser.format_help))
+        if not words:
+            return found
         pasted = re.fullmatch(r"(?:error|warning)\[(.*)\]:?", name.strip())
         keywords = {} if pasted else self._named(name)
         if keywords:

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from motionlang.cli.command import Command, WrongOption, flag, option
-from motionlang.cli.option_groups import OutputOptions, Picture
+from motionlang.cli.option_groups import OutputOptions
+from motionlang.cli.picture import Picture
 from motionlang.cli.readers import integer, number
 from motionlang.commands.plan import WRITERS, solve_plan
 from motionlang.commands.plan import number as shown

@@ -9,9 +9,14 @@ from typing import ClassVar
 from motionlang.cli.command import flag, option
 from motionlang.cli.readers import real
 from motionlang.cli.run_command import Pace, Simulated, pacer
-from motionlang.commands.quantities import quantity_names
 from motionlang.kernel import STDIN, CheckedSettings, Outside, Program
 from motionlang.kernel import Run as Result
+
+
+def _quantities(text: str) -> tuple[str, ...]:
+    from motionlang.commands.quantities import quantity_names
+
+    return quantity_names(text)
 
 
 @dataclass
@@ -38,7 +43,7 @@ examples:
     keep: tuple[str, ...] = option(
         "NAME,…",
         "quantities to report, such as peak.0 or cycle(12); sweep --help lists all",
-        read=quantity_names,
+        read=_quantities,
         default=(),
     )
     realtime: float | None = option(

@@ -45,7 +45,10 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.clock import Clock as Clock
     from motionlang.kernel.controller.faults import HOMING as HOMING
     from motionlang.kernel.controller.faults import fault_names as fault_names
+    from motionlang.kernel.controller.io.asking import Asking as Asking
+    from motionlang.kernel.controller.io.asking import Responder as Responder
     from motionlang.kernel.controller.io.channels import Channels as Channels
+    from motionlang.kernel.controller.io.host_memory import AREAS as AREAS
     from motionlang.kernel.controller.io.host_memory import PRODUCTS as PRODUCTS
     from motionlang.kernel.controller.io.host_memory import HostMemory as HostMemory
     from motionlang.kernel.controller.io.host_memory import product as product
@@ -59,16 +62,19 @@ if TYPE_CHECKING:
     from motionlang.kernel.controller.moves.path import PathMove as PathMove
     from motionlang.kernel.controller.moves.path_run import PathRun as PathRun
     from motionlang.kernel.controller.queue.stop import Stopping as Stopping
+    from motionlang.kernel.controller.surroundings import Surroundings as Surroundings
 
 PUBLIC = {
     "clock": "Clock",
     "faults": "fault_names HOMING",
     "io.channels": "Channels",
-    "io.host_memory": "HostMemory PRODUCTS product",
+    "io.asking": "Asking Responder",
+    "io.host_memory": "HostMemory AREAS PRODUCTS product",
     "motion.encoder": "AUXILIARY",
     "motion_listener": "MotionListener",
     "motion.follow": "Gear",
     "queue.stop": "Stopping",
+    "surroundings": "Surroundings",
     "motion.jog": "Jog",
     "motion.profile_playback": "Playback",
     "moves.cam": "CurveFollow",

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
+from motionlang.kernel import controller
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, TimedCall
-from motionlang.kernel.controller.io.asking import Asking, AskingTasks
 from motionlang.kernel.controller.io.channels import AnalogueInputs, Channels
 from motionlang.kernel.controller.io.reads import ReadObservers
 from motionlang.kernel.controller.io.stimuli import Stimuli
 from motionlang.kernel.controller.motion_listener import MotionListener
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.log import Log
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.io.asking import Asking, AskingTasks
 
 
 class ControllerState:
@@ -52,7 +56,7 @@ class ControllerState:
     def answering(self) -> Asking:
         """Return what the world answers when the program asks, created on first use."""
         if self.asking is None:
-            self.asking = Asking(self)
+            self.asking = controller.Asking(self)
         return self.asking
 
     def run_by(self, tasks: AskingTasks) -> None:

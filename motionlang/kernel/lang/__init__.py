@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.entries import Given as Given
     from motionlang.kernel.lang.machine.entries import check_inputs_are_read as check_inputs_are_read
     from motionlang.kernel.lang.machine.file import first_mistake as first_mistake
+    from motionlang.kernel.lang.machine.file import flat as flat
     from motionlang.kernel.lang.machine.file import generic as generic
     from motionlang.kernel.lang.machine.file import read_toml as read_toml
     from motionlang.kernel.lang.machine.keys import CHOICES as CHOICES
@@ -40,8 +41,9 @@ if TYPE_CHECKING:
     from motionlang.kernel.lang.machine.layers import is_key_of_entries as is_key_of_entries
     from motionlang.kernel.lang.machine.layers import layered as layered
     from motionlang.kernel.lang.machine.layers import with_key_of_entries as with_key_of_entries
-    from motionlang.kernel.lang.machine.machine import ASSUMPTIONS as ASSUMPTIONS
     from motionlang.kernel.lang.machine.machine import CONSOLE as CONSOLE
+    from motionlang.kernel.lang.machine.operator import Operator as Operator
+    from motionlang.kernel.lang.machine.switch import ASSUMPTIONS as ASSUMPTIONS
     from motionlang.kernel.lang.machine.switch import switch as switch
     from motionlang.kernel.lang.machine.terminal import Terminal as Terminal
     from motionlang.kernel.lang.names import NO_NAMES as NO_NAMES
@@ -104,10 +106,11 @@ PUBLIC = {
     "vocabulary": "Vocabulary",
     "program": "Target",
     "literals": "Literal canonical number number_text replaced revalued",
-    "machine.file": "read_toml first_mistake generic",
+    "machine.file": "read_toml first_mistake flat generic",
     "machine.entries": "Given check_inputs_are_read",
+    "machine.operator": "Operator",
     "machine.layers": "is_key_of_entries layered with_key_of_entries",
-    "machine.switch": "switch",
+    "machine.switch": "switch ASSUMPTIONS",
     "machine.terminal": "Terminal",
     "structure": "ACTS NAME PRINTS STARTS Structure Unit Statement Use AxisKey AxisUse ChannelUse READ WRITE SET_UP",
     "step_list": "ListedUnit ListedStep listed_units",
@@ -124,7 +127,7 @@ PUBLIC = {
     "foreign": "one_sentence AT_PROMPT IN_EDITOR",
     "keyword": "BANK CHANNELS HOST_CHANNELS TOPICS",
     "machine.keys": "DRIVES KEYS TABLES CHOICES REQUIRED MAX_AXES",
-    "machine.machine": "ASSUMPTIONS CONSOLE",
+    "machine.machine": "CONSOLE",
 }
 
 if not TYPE_CHECKING:

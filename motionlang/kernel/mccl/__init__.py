@@ -10,14 +10,14 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.dialect import Dialect, Interactive
-from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.machine.switch import Switch
-from motionlang.kernel.lang.vocabulary import Vocabulary
 from motionlang.kernel.lazy import lazy_names
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.keyword import Keyword
+    from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.machine.switch import Switch
+    from motionlang.kernel.lang.vocabulary import Vocabulary
     from motionlang.kernel.mccl.axis.axis import AxisState as AxisState
     from motionlang.kernel.mccl.axis.launch import aim as aim
     from motionlang.kernel.mccl.axis.motion_phase import at_target_time as at_target_time

@@ -8,18 +8,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.dialect import Dialect, Interactive
-from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.machine.switch import Switch
-from motionlang.kernel.lang.program import Program
-from motionlang.kernel.lang.task import Task
-from motionlang.kernel.lang.vocabulary import Vocabulary
-from motionlang.kernel.lang.wait_causes import Read
 from motionlang.kernel.lazy import lazy_names
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.kernel.errors import Diagnostic
+    from motionlang.kernel.lang.machine.machine import Machine
+    from motionlang.kernel.lang.machine.switch import Switch
+    from motionlang.kernel.lang.program import Program
+    from motionlang.kernel.lang.task import Task
+    from motionlang.kernel.lang.vocabulary import Vocabulary
+    from motionlang.kernel.lang.wait_causes import Read
     from motionlang.kernel.mint.interactive import MintInteractive as MintInteractive
     from motionlang.kernel.mint.keywords import table as table
     from motionlang.kernel.mint.keywords.switchable import name_of as name_of

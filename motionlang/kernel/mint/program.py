@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from motionlang.kernel.errors import Diagnostic, ProgramError
 from motionlang.kernel.lang.literals import Literal, Placed, number, placed
 from motionlang.kernel.lang.machine.machine import Machine
-from motionlang.kernel.lang.names import LineLayout, Names
 from motionlang.kernel.lang.program import Program, Target
 from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import Steps
@@ -38,6 +38,9 @@ from motionlang.kernel.mint.syntax.parser import read
 from motionlang.kernel.mint.syntax.traversal import copied
 from motionlang.kernel.source import Source
 from motionlang.kernel.tools import StackSpace
+
+if TYPE_CHECKING:
+    from motionlang.kernel.lang.names import LineLayout, Names
 
 # The maximum number of programs with other values that are kept for further runs.
 MAX_KEPT = 64

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from motionlang.kernel.planners.evaluate import piece_values as piece_values
     from motionlang.kernel.planners.limits import check_finite as check_finite
     from motionlang.kernel.planners.limits import check_positive as check_positive
+    from motionlang.kernel.planners.lookahead import PathPace as PathPace
     from motionlang.kernel.planners.pieces import acceleration_in as acceleration_in
     from motionlang.kernel.planners.pieces import crest_points as crest_points
     from motionlang.kernel.planners.pieces import even_points as even_points
@@ -76,6 +77,7 @@ PUBLIC = {
     "evaluate": "piece_values",
     "root": "summit",
     "sample": "ORDERS PieceTable",
+    "lookahead": "PathPace",
     "limits": "check_finite check_positive",
     "pvt.motion": "plan_pvt pvt_piece",
     "pvt.velocities": "VELOCITY_METHODS pvt_velocities compare_velocities knot_accelerations",

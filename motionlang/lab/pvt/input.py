@@ -11,7 +11,8 @@ from typing import ClassVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import complain, unreadable
-from motionlang.cli.option_groups import Language, Picture
+from motionlang.cli.option_groups import Language
+from motionlang.cli.picture import Picture
 from motionlang.cli.readers import integer, real, whole
 from motionlang.cli.signals import SIGNALS
 from motionlang.kernel import Diagnostic, ProgramError, Source, run

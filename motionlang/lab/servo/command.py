@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from motionlang.cli.command import Command, Refused, WrongOption, argument, flag, option
 from motionlang.cli.complaints import run_status
-from motionlang.cli.option_groups import OutputOptions, Picture, ProgramOptions, accepted_events
+from motionlang.cli.option_groups import OutputOptions, ProgramOptions, accepted_events
+from motionlang.cli.picture import Picture
 from motionlang.cli.readers import machine_time
 from motionlang.kernel import CheckedSettings
 from motionlang.kernel import run as run_program

@@ -12,13 +12,14 @@ from collections.abc import Callable, Mapping, Sequence
 from math import inf, nan
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.controller.io.asking import AskedRule, Asking, Responder
+from motionlang.kernel import controller as controllers
 from motionlang.kernel.controller.io.reads import ReadObserver
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.tools import signed
 from motionlang.kernel.traced import reading
 
 if TYPE_CHECKING:
+    from motionlang.kernel.controller.io.asking import AskedRule, Asking
     from motionlang.kernel.controller.state import ControllerState
 
 Listener = Callable[[str, int, bool], None]
@@ -140,7 +141,7 @@ class HostMemory:
             self.write(area, element, words)  # type: ignore[arg-type]
 
         name = f"{_CALLED[area]}, element {element}"
-        asking.add(area, element, entry, since, Responder(lambda _: name, current, other, put))
+        asking.add(area, element, entry, since, controllers.Responder(lambda _: name, current, other, put))
 
 
 def product(model: str) -> str:

@@ -7,12 +7,12 @@ rates are those of the path, and GO on it releases all entries.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
+from motionlang.kernel import controller, planners
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.controller.moves.geometry import Arc, PathSegment, StraightLine, corner, limits
-from motionlang.kernel.controller.moves.path_policy import PathPolicy
-from motionlang.kernel.controller.moves.path_run import PathRun
 from motionlang.kernel.controller.queue import buffer
 from motionlang.kernel.controller.queue.action import Action
 from motionlang.kernel.controller.queue.life import permit_motion
@@ -20,7 +20,11 @@ from motionlang.kernel.controller.queue.plan import checked_speed_and_rates
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.log.move import LoggedMove
 from motionlang.kernel.planners import Profile
-from motionlang.kernel.planners.lookahead import PathPace
+
+if TYPE_CHECKING:
+    from motionlang.kernel.controller.moves.path_policy import PathPolicy
+    from motionlang.kernel.controller.moves.path_run import PathRun
+    from motionlang.kernel.planners.lookahead import PathPace
 
 
 class PathMove(Action):
@@ -80,7 +84,7 @@ class PathMove(Action):
         most = self._limits(segment)
         jerks = master.jerks(speed, accel, decel)
         factor = master.override if move.overridden else 1.0
-        return PathPace(
+        return planners.PathPace(
             master.shape,
             min(speed * factor / k, most[0]),
             min(accel / k, most[1]),
@@ -141,7 +145,7 @@ class PathMove(Action):
         for other, each in zip(self.axes, self.moves, strict=True):
             if other is not a:
                 buffer.reach(other, each)
-        PathRun(self, [each.target for each in self.axes]).start()
+        controller.PathRun(self, [each.target for each in self.axes]).start()
 
     # -- in motion
 

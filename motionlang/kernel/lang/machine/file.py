@@ -27,7 +27,7 @@ from motionlang.kernel.lang.machine.keys import (
     STOPS,
     TABLES,
 )
-from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
+from motionlang.kernel.lang.machine.switch import ASSUMPTIONS
 from motionlang.kernel.lang.machine.switch import problem as reading_problem
 from motionlang.kernel.log.records import EVENTS
 from motionlang.kernel.servo import settings as servo

@@ -9,16 +9,14 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from math import inf
 from typing import TYPE_CHECKING
 
+from motionlang.kernel import controller, lang
 from motionlang.kernel.controller.axis import Axis
 from motionlang.kernel.controller.clock import Clock, WatchedClock
-from motionlang.kernel.controller.io.host_memory import AREAS, PRODUCTS, HostMemory, product
 from motionlang.kernel.controller.operations import Controller
-from motionlang.kernel.controller.surroundings import Surroundings
 from motionlang.kernel.errors import Diagnostic, ProgramError
-from motionlang.kernel.lang.machine.keys import DRIVES
 from motionlang.kernel.lang.machine.nonvolatile import NonVolatile
-from motionlang.kernel.lang.machine.operator import Operator
 from motionlang.kernel.lang.machine.stop import stop_of
+from motionlang.kernel.lang.machine.switch import ASSUMPTIONS
 from motionlang.kernel.lang.machine.terminal import Terminal, labelled
 from motionlang.kernel.lang.statement_time import StatementTime
 from motionlang.kernel.log.log import Log
@@ -33,9 +31,6 @@ DEFAULT_AXES = 8
 # The number of the terminal that is the console.
 CONSOLE = 1
 INSTRUCTION_TIME = 10e-6
-# The section of the assumptions that the owner of a controller has settled; `switch` defines the values of
-# each.
-ASSUMPTIONS = "assumptions."
 # The number of different diagnostics that a run reports; further ones add nothing new.
 MAX_DIAGNOSTICS = 200
 
@@ -71,7 +66,7 @@ class Machine:
         }
         self.clock = Clock() if hook is None else WatchedClock(hook.advancing)
         self.statements = StatementTime(self.instruction_time)
-        self._operators: dict[int, Operator] = {}
+        self._operators: dict[int, lang.Operator] = {}
         self.log = Log()
         self.log.hurried = self._hurried
         # What ends the run before its time limit, if anything does.
@@ -109,13 +104,13 @@ class Machine:
             _check_axes(self.settings, axes, first_axis)
         self.controller = Controller(axes, first_axis, self.clock, self.log)
         self.world = _world(self.controller, self.settings)
-        self._host = self._new_host() if any(area in self.settings for area in AREAS) else None
+        self._host = self._new_host() if any(area in self.settings for area in controller.AREAS) else None
 
     def add_entries(self, settings: Mapping[str, object]) -> None:
         """Add inputs, answers, keys and writes of other devices to the world; their times count from now."""
         if "answer" in settings or "key" in settings:
             self.operator.add(settings, self.clock.now)
-        for area in AREAS:
+        for area in controller.AREAS:
             for entry in settings.get(area, ()):  # type: ignore[attr-defined]
                 self.host.schedule(self.controller, area, entry, self.clock.now)
         for table, schedule in self.receivers.items():
@@ -124,7 +119,7 @@ class Machine:
         if "input" not in settings and "analogue" not in settings:
             return
         if self.world is None:
-            self.world = Surroundings(self.controller, self.settings)
+            self.world = controller.Surroundings(self.controller, self.settings)
         self.world.wire_inputs(settings)
 
     def complain(self, diagnostic: Diagnostic) -> None:
@@ -177,18 +172,18 @@ class Machine:
         return any(".plant." in key for key in self.settings)
 
     @property
-    def host(self) -> HostMemory:
+    def host(self) -> controller.HostMemory:
         """The memory shared with a host; without writes in the machine file, it is created on first use."""
         if self._host is None:
             self._host = self._new_host()
         return self._host
 
-    def _new_host(self) -> HostMemory:
+    def _new_host(self) -> controller.HostMemory:
         def written(area: str, element: int, value: float) -> None:
-            self.log.write(self.clock.now, f"{DRIVES[area][0]} {element}", value)
+            self.log.write(self.clock.now, f"{lang.DRIVES[area][0]} {element}", value)
 
-        host = HostMemory(PRODUCTS[product(self.model)], written)
-        for area in AREAS:
+        host = controller.HostMemory(controller.PRODUCTS[controller.product(self.model)], written)
+        for area in controller.AREAS:
             for entry in self.settings.get(area, ()):  # type: ignore[attr-defined]
                 host.schedule(self.controller, area, entry)
         self.controller.reads.join(host)
@@ -207,16 +202,16 @@ class Machine:
         return CONSOLE in self._operators
 
     @property
-    def operator(self) -> Operator:
+    def operator(self) -> lang.Operator:
         """The operator who presses keys and types at the console, created on first use."""
         return self.operator_at(CONSOLE)
 
-    def operator_at(self, number: int) -> Operator:
+    def operator_at(self, number: int) -> lang.Operator:
         """Return the operator at terminal `number`, created on first use."""
         found = self._operators.get(number)
         if found is None:
             terminal = self.terminal_at(number)
-            found = self._operators[number] = Operator(self.controller, terminal, self.settings, number)
+            found = self._operators[number] = lang.Operator(self.controller, terminal, self.settings, number)
         return found
 
     def unasked(self) -> list[str]:
@@ -251,12 +246,12 @@ def _check_axes(settings: Mapping[str, object], axes: int, first_axis: int) -> N
         raise ProgramError(wrong)
 
 
-def _world(controller: Controller, settings: Mapping[str, object]) -> Surroundings | None:
+def _world(of: Controller, settings: Mapping[str, object]) -> controller.Surroundings | None:
     """Return the world of a machine file, or None if it describes only the controller."""
     if _is_plain(settings):
         return None
 
-    return Surroundings(controller, settings)
+    return controller.Surroundings(of, settings)
 
 
 def _is_plain(settings: Mapping[str, object]) -> bool:

@@ -8,8 +8,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from motionlang.kernel.lang.dialect import PACKAGES, dialect
-from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
 from motionlang.kernel.tools import nearest, shown
+
+# The section of the assumptions that the owner of a controller has settled.
+ASSUMPTIONS = "assumptions."
 
 # The list of all assumptions, with their names and alternatives.
 LIST = "docs/contributing/assumptions.md"

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from motionlang.kernel.lang.chosen_rates import remark, unset
-from motionlang.kernel.lang.machine.machine import ASSUMPTIONS
+from motionlang.kernel.lang.machine.switch import ASSUMPTIONS
 from motionlang.kernel.lang.structure import Statement
 from motionlang.kernel.mint.keywords import axis
 from motionlang.kernel.mint.keywords.switchable import name_of

@@ -9,8 +9,8 @@ from lark import UnexpectedInput
 
 from motionlang.kernel.errors import ProgramError
 from motionlang.kernel.lang.syntax.grammar import lex
+from motionlang.kernel.mint import syntax
 from motionlang.kernel.mint.syntax.build import Misuse
-from motionlang.kernel.mint.syntax.errors import recovered, unfinished
 from motionlang.kernel.mint.syntax.nesting import (
     MAX_DEPTH,
     MAX_EXPRESSION_DEPTH,
@@ -42,10 +42,10 @@ def read(source: Source) -> Module:
         module = cast(Module, PARSER.parse(ended(source.text)))
         module.source, module.errors = source, []
     except (UnexpectedInput, Misuse):
-        module = recovered(source)
+        module = syntax.recovered(source)
     else:
         if max(depth for _, depth in bodies(module)) > MAX_DEPTH:
-            module = recovered(source)
+            module = syntax.recovered(source)
     _mark_labels(module)
     if not _is_short(source.text):
         flatten_chains(module)
@@ -82,4 +82,4 @@ def is_complete(text: str) -> bool:
 
     It is incomplete inside an open block and after a line continuation.
     """
-    return not (text.rstrip(" \t\n").endswith(("\\", " _")) or unfinished(text))
+    return not (text.rstrip(" \t\n").endswith(("\\", " _")) or syntax.unfinished(text))
