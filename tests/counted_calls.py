@@ -4,10 +4,18 @@ from __future__ import annotations
 
 import gc
 import sys
+from collections import Counter
 from collections.abc import Callable
-from types import FrameType, ModuleType
+from pathlib import Path
+from types import CodeType, FrameType, ModuleType
+from typing import Any
 
 import pytest
+
+import motionlang
+
+PACKAGE = str(Path(motionlang.__file__).parent)
+Trace = Callable[[FrameType, str, Any], Any]
 
 
 class CallCount:
@@ -31,6 +39,29 @@ def count_calls(monkeypatch: pytest.MonkeyPatch, *methods: tuple[type | ModuleTy
     for owner, name in methods:
         monkeypatch.setattr(owner, name, counted(getattr(owner, name)))
     return count
+
+
+def lines_by_function(work: Callable[[], object]) -> Counter[CodeType]:
+    """Return how many lines of each function of ours a piece of work carries out.
+
+    A comprehension counts a line for each of its iterations, which are no calls.
+    """
+    found: Counter[CodeType] = Counter()
+
+    def count(frame: FrameType, event: str, _: object) -> Trace:
+        found[frame.f_code] += event == "line"
+        return count
+
+    def begin(frame: FrameType, _: str, __: object) -> Trace | None:
+        return count if PACKAGE in frame.f_code.co_filename else None
+
+    before = sys.gettrace()
+    sys.settrace(begin)
+    try:
+        work()
+    finally:
+        sys.settrace(before)
+    return found
 
 
 def all_calls(work: Callable[[], object]) -> int:

@@ -16,7 +16,7 @@ import pytest
 from motionlang.cli import main
 from motionlang.commands.check import check
 from motionlang.kernel import Source, dialect_of
-from tests.counted_calls import all_calls
+from tests.counted_calls import all_calls, lines_by_function
 
 
 def _lines(text: str, count: int) -> str:
@@ -127,6 +127,27 @@ def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
     command = COMMANDS[list(SHAPES).index(shape) % len(COMMANDS)]
     calls = measure(partial(_work, command), shape, (30, 60, 120))
     assert is_linear(calls), (command, calls)
+
+
+# Long flat files in which a search through the whole file takes little of the time.
+FLAT: dict[str, Callable[[int], str]] = {
+    "gotos.prg": SHAPES["gotos.prg"],
+    "blocks.mnt": SHAPES["blocks.mnt"],
+    "settings.mnt": lambda n: _lines("SPEED(0) = 10\nACCEL(0) = 20\n", n // 2),
+}
+
+
+@pytest.mark.parametrize("shape", FLAT)
+def test_no_function_of_check_does_more_than_twice_the_work(shape: str) -> None:
+    """Counted in lines, each function by itself, so that a short one that grows is seen at small sizes."""
+    _edit(shape, FLAT[shape](20))  # imports and prepares
+    less, more = (lines_by_function(partial(_edit, shape, FLAT[shape](size))) for size in (64, 128))
+    grown = {
+        f"{code.co_filename}:{code.co_firstlineno} {code.co_name}": (less[code], count)
+        for code, count in more.items()
+        if count > max(250, 2.6 * less[code])
+    }
+    assert grown == {}
 
 
 # The lengths of the tests that are slow, and of those that take minutes.

@@ -16,10 +16,11 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, meaning, walk
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
-    from motionlang.kernel.mint.resolve.symbols import Function
 
 DEFAULT_SIZE = 2
 # Statements that leave a loop or may skip a part of its body, and roles of keywords that may empty a buffer.
@@ -38,7 +39,8 @@ def check(facts: MintFacts, warn: Warn) -> None:
         return max([DEFAULT_SIZE, *own])
 
     for function in facts.functions:
-        before = facts.axes.before[function]
+        before, points = facts.axes.before[function], facts.graph.points
+        places = {(points[p].at, points[p].role): p for p in facts.points[function]}
         for p, node in facts.nodes_of(function):
             if p not in before:
                 continue
@@ -50,7 +52,7 @@ def check(facts: MintFacts, warn: Warn) -> None:
                             _overfilled(act, key, size, warn)
             if type(node) is nodes.For:
                 iterations = _iterations(facts, node)
-                for key, loads in _loads_of_each(facts, function, node).items():
+                for key, loads in _loads_of_each(facts, places, node).items():
                     size = size_of(key)
                     axis = facts.axes.known(before[p], key)
                     if iterations is None or size is None or axis.motion != IDLE:
@@ -75,14 +77,15 @@ def _iterations(facts: MintFacts, node: nodes.For) -> int | None:
     return None if start is None or stop is None or not step else int((stop - start) // step) + 1
 
 
-def _loads_of_each(facts: MintFacts, function: Function, node: nodes.For) -> dict[Key, list[Use]]:
-    """Return the loads of every iteration by axis; none if the body may empty a buffer."""
-    roles = {
-        facts.graph.points[p].role: p
-        for p in facts.points[function]
-        if facts.graph.points[p].at == node.start
-    }
-    acts = [act for p in range(roles[HEAD] + 1, roles[NEXT]) for act in facts.acts.get(p, ())]
+def _loads_of_each(
+    facts: MintFacts, places: Mapping[tuple[int, str], int], node: nodes.For
+) -> dict[Key, list[Use]]:
+    """Return the loads of every iteration by axis; none if the body may empty a buffer.
+
+    `places` has the points of its function by offset and role.
+    """
+    body = range(places[node.start, HEAD] + 1, places[node.start, NEXT])
+    acts = [act for p in body for act in facts.acts.get(p, ())]
     loads: dict[Key, list[Use]] = {}
     if any(act.role in _EMPTIES for act in acts):
         return loads

@@ -18,10 +18,11 @@ USUAL = 0.2
 def warn_of_short_ramps(statements: Collection[Statement], problems: Problems) -> None:
     """Warn of each literal ramp time, and of each rate that reaches SPEED, within one trajectory update."""
     written = list(_settings(statements))
-    speeds: dict[AxisKey, list[float | None]] = {}
+    speeds: dict[AxisKey, float | None] = {}  # the highest one; None if one of them is not known
     for row, axis, value, _ in written:
         if row.gives == "speed":
-            speeds.setdefault(axis, []).append(value)
+            before = speeds.get(axis, 0.0)
+            speeds[axis] = None if value is None or before is None else max(value, before)
     for row, axis, value, at in written:
         if row.gives not in RATES or not value or value < 0.0:
             continue
@@ -35,11 +36,8 @@ def warn_of_short_ramps(statements: Collection[Statement], problems: Problems) -
                 value / 1e3,
             )
             continue
-        known = speeds.get(axis, [None])
-        if None in known:
-            continue
-        speed = max(each for each in known if each is not None)
-        if speed / value >= UPDATE:
+        speed = speeds.get(axis)
+        if speed is None or speed / value >= UPDATE:
             continue
         hint = f"for a ramp of {USUAL * 1e3:.10g} ms write {speed / USUAL:.10g}"
         _report(

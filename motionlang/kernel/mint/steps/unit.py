@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -43,6 +44,10 @@ class UnitWriter:
         self.jumps: list[tuple[int, str]] = []
         self.label = ""
         self.regions: dict[str, GotoLoop] = regions(function)
+        # The loops of Gotos by the offset of the statement at whose end they end.
+        self._ending: dict[int, list[GotoLoop]] = {}
+        for each in self.regions.values():
+            self._ending.setdefault(each.statement.start, []).append(each)
         # The sub that was called last.
         self.callee: Function | None = None
         self.forget_uses()
@@ -112,7 +117,7 @@ class UnitWriter:
 
     def close_regions(self, statement: nodes.Stmt) -> None:
         """Note the end of the loops of Gotos that end with this statement."""
-        ended = [each for each in self.regions.values() if each.statement is statement]
+        ended = [each for each in self._ending.get(statement.start, ()) if each.statement is statement]
         for each in ended:
             each.last = len(self.steps) - 1
         if ended:
@@ -210,7 +215,7 @@ def regions(function: Function) -> dict[str, GotoLoop]:
 
 def _end(body: list[nodes.Stmt], label: nodes.Node, jump: nodes.Node) -> nodes.Stmt:
     """Return the statement with a jump, in the innermost block that also has its label."""
-    node = next(each for each in body if each.start <= jump.start < each.end)
+    node = body[bisect_right(body, jump.start, key=lambda each: each.start) - 1]
     for inner in _bodies(node):
         if inner and inner[0].start <= label.start and jump.start < inner[-1].end:
             return _end(inner, label, jump)
