@@ -134,6 +134,7 @@ FLAT: dict[str, Callable[[int], str]] = {
     "gotos.prg": SHAPES["gotos.prg"],
     "blocks.mnt": SHAPES["blocks.mnt"],
     "settings.mnt": lambda n: _lines("SPEED(0) = 10\nACCEL(0) = 20\n", n // 2),
+    "modes.mcl": lambda n: _lines("1VM,1GO\n", n // 2),
 }
 
 
@@ -141,7 +142,7 @@ FLAT: dict[str, Callable[[int], str]] = {
 def test_no_function_of_check_does_more_than_twice_the_work(shape: str) -> None:
     """Counted in lines, each function by itself, so that a short one that grows is seen at small sizes."""
     _edit(shape, FLAT[shape](20))  # imports and prepares
-    less, more = (lines_by_function(partial(_edit, shape, FLAT[shape](size))) for size in (64, 128))
+    less, more = (lines_by_function(partial(_edit, shape, FLAT[shape](size))) for size in (48, 96))
     grown = {
         f"{code.co_filename}:{code.co_firstlineno} {code.co_name}": (less[code], count)
         for code, count in more.items()

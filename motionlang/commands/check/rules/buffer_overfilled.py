@@ -29,14 +29,14 @@ _EMPTIES = frozenset(("go", "stop", "act", "course", "path", "call"))
 
 
 def check(facts: MintFacts, warn: Warn) -> None:
-    sizes, without_go = facts.constants(facts.word("buffer_size")), facts.triggered()
+    set_sizes, without_go = facts.constants(facts.word("buffer_size")), facts.triggered()
+    sizes = {key: None if own is None else max([DEFAULT_SIZE, *own]) for key, own in set_sizes.items()}
 
     def size_of(key: Key) -> float | None:
         """Return the number of entries that the buffer of an axis holds, None if unknown."""
-        own = sizes.get(key, [])
-        if {key, None} & without_go or own is None or None in sizes or (isinstance(key, str) and sizes):
+        if {key, None} & without_go or None in sizes or (isinstance(key, str) and sizes):
             return None
-        return max([DEFAULT_SIZE, *own])
+        return sizes.get(key, DEFAULT_SIZE)
 
     for function in facts.functions:
         before, points = facts.axes.before[function], facts.graph.points

@@ -7,8 +7,10 @@ axes is, and if nothing that runs at the same time may start it.
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
-from functools import partial
+from functools import partial, reduce
+from operator import or_
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
@@ -20,13 +22,15 @@ if TYPE_CHECKING:
 
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
     from motionlang.commands.check.mint.mint_facts import MintFacts
-    from motionlang.commands.check.rule_facts import Part
     from motionlang.kernel.lang import AxisKey as Key
     from motionlang.kernel.lang import Use
     from motionlang.kernel.mint.resolve.symbols import Function
 
 # The bit of each axis in a set of axes.
 Bits = dict["Key", int]
+# A function that starts motion with its axis, and the bit of each in a set of these.
+Start = tuple[str, "Key"]
+StartBits = dict[Start, int]
 
 _GO = frozenset(("go",))
 # The roles of keywords that load one entry for several axes.
@@ -112,32 +116,55 @@ def _is_started_elsewhere(facts: MintFacts, function: Function, act: Use) -> boo
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     """Report each mode whose motion nothing starts; what a macro prepares that nothing calls, a host may start."""
+    started = {
+        part: {each for act in facts.acts_of[part] for each in _starts_of(act)} for part in facts.parts
+    }
+    parts_with = Counter(each for found in started.values() for each in found)
+    bits: StartBits = {each: 1 << n for n, each in enumerate(parts_with)}
+    begins = {
+        p: reduce(or_, (bits[each] for act in acts for each in _starts_of(act)), 0)
+        for p, acts in facts.acts.items()
+    }
     for part in facts.parts:
-        for p, _ in facts.statements_of(part) if part.kind != "sub" else ():
-            for act in facts.acts[p] if p in facts.axes.before[part] else ():
-                function = _STARTS.get(act.row.function if act.row is not None else "")
-                # The axis that controls a contour, the parameter of CM, starts its paths.
-                axis = act.number(0) if function == "path" else act.axes[0]
-                if function is not None and not _is_followed(facts, part, p, function, axis):
-                    word = table().doing(function)
-                    message = (
-                        f"{facts.text(act)} selects a mode, and no {word} that starts its motion follows"
-                    )
-                    number = "" if axis is None else f"{axis:.0f}"
-                    warn(
-                        message,
-                        act.at,
-                        f"{number}{word}{'1 begins a path' if function == 'path' else ' starts it'}",
-                    )
+        modes = [
+            (p, act, function)
+            for p, _ in (facts.statements_of(part) if part.kind != "sub" else ())
+            for act in (facts.acts[p] if p in facts.axes.before[part] else ())
+            if act.row is not None and (function := _STARTS.get(act.row.function))
+        ]
+        if not modes:
+            continue
+        elsewhere = sum(bits[each] for each, count in parts_with.items() if count > (each in started[part]))
+        behind = facts.graph.backward(
+            facts.points[part], lambda p: 0, lambda p, later: later | begins.get(p, 0)
+        )
+        for p, act, function in modes:
+            # The axis that controls a contour, the parameter of CM, starts its paths.
+            axis = act.number(0) if function == "path" else act.axes[0]
+            if not _is_started(bits, behind[p] | elsewhere, function, axis):
+                word = table().doing(function)
+                message = f"{facts.text(act)} selects a mode, and no {word} that starts its motion follows"
+                number = "" if axis is None else f"{axis:.0f}"
+                warn(
+                    message,
+                    act.at,
+                    f"{number}{word}{'1 begins a path' if function == 'path' else ' starts it'}",
+                )
 
 
-def _is_followed(facts: MacroFacts, part: Part, p: int, function: str, axis: float | str | None) -> bool:
-    """True if something behind a point, or in another part, starts the motion of a mode."""
-    behind = facts.graph.reached_within(*facts.graph.within[p])
-    uses = [use for q in behind for use in facts.acts.get(q, ())]
-    uses += (use for other in facts.parts if other is not part for use in facts.acts_of[other])
-    starts = [use for use in uses if use.row is not None and use.row.function == function]
-    return any(axis is None or {axis, None} & {*use.axes} for use in starts)
+def _starts_of(act: Use) -> list[Start]:
+    """Return the motions that a command starts: what does it, and each axis."""
+    function = act.row.function if act.row is not None else ""
+    return [(function, key) for key in act.axes or ("",)] if function in _STARTS.values() else []
+
+
+def _is_started(bits: StartBits, behind: int, function: str, axis: Key | float) -> bool:
+    """True if what is behind a mode, or in another part, starts its motion."""
+    return any(
+        behind & bit
+        for (starting, key), bit in bits.items()
+        if starting == function and (axis is None or key is None or key == axis)
+    )
 
 
 RULE = Rule(

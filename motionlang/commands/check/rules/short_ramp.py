@@ -19,12 +19,12 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
     """Compare each rate with the greatest velocity of its axis; in another unit of time the quotient is no ramp."""
     if any(row.function == "rate" for row in facts.used):
         return
-    speeds: dict[Key, list[float] | None] = facts.values(lambda row: row.gives == "speed")
+    known = facts.values(lambda row: row.gives == "speed")
+    speeds: dict[Key, float] = {key: max(values) for key, values in known.items() if values}
     for act in facts.written_by(lambda row: row.gives in ("accel", "decel")):
-        known, rate = speeds.get(act.axes[0]), act.number(0)
-        if not known or not rate or None in speeds:
+        speed, rate = speeds.get(act.axes[0]), act.number(0)
+        if speed is None or not rate or None in known:
             continue
-        speed = max(known)
         if 0.0 < speed / rate < _UPDATE:
             ramp = f"a ramp of {speed / rate * 1e3:.3g} ms to SV{speed:.10g}"
             message = f"{ramp} is shorter than one trajectory update, 1 ms"
