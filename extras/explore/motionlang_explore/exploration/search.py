@@ -62,7 +62,7 @@ from motionlang_explore.exploration.trials import (
     TrialMotion,
     Trials,
 )
-from motionlang_explore.exploration.values import codes, is_probe, periods, printed_for
+from motionlang_explore.exploration.values import codes, is_probe, levels, periods, printed_for
 
 # A variable with more values at rest counts or measures.
 MAX_REMEMBERED = 5
@@ -124,6 +124,8 @@ class Explorer:
         self.decided: dict[int, set[Channel]] = defaultdict(set)
         # The shares of the way of a move where a mark of a latch turns comparisons.
         self.marks: dict[int, dict[float, None]] = {}
+        # The levels on both sides of those at which comparisons turn.
+        self.levels: dict[Channel, dict[float | str, None]] = defaultdict(dict)
         # The periods of inputs with which comparisons of the way between two marks turn.
         self.periods: dict[int, dict[float, None]] = defaultdict(dict)
         # The lines that move an axis in any transition.
@@ -184,6 +186,8 @@ class Explorer:
                 self.decided[at] |= found
             for channels in trial.readings.values():
                 self.read |= dict.fromkeys(questions.that_matter(self, channels, trial.decided))
+            for change in levels(trial):
+                self.levels[change.channel][change.value] = None
             for number in self.triggers:
                 self.periods[number] |= dict.fromkeys(periods(trial, number))
             if self.trials.is_over or (has_switches and not self.switches.add(self.trials.last)):

@@ -45,6 +45,7 @@ from motionlang_explore.exploration.likely import ASKED, ON, PUSH, QUICK, SOON
 from motionlang_explore.exploration.search import Explorer
 from motionlang_explore.exploration.states import DELAY
 from motionlang_explore.exploration.trials import (
+    ENDLESS,
     SHORTEST_MOVE,
     is_short_move,
 )
@@ -80,7 +81,7 @@ MARKS, LENGTHS, ALL = 7, 3, 1000
 # So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
 FIRST, PAIRS, REST = 8, 1, 2
 # Levels and numbers that are tried.
-USUAL, LEVELS, ABOVE, NUMBERS = 50.0, (30.0, 50.0, 70.0), 100.0, (1, 2, 3, 10, 100)
+USUAL, ABOVE, NUMBERS = 50.0, 100.0, (1, 2, 3, 10, 100)
 
 Settings = Mapping[str, object]
 
@@ -376,7 +377,8 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
     order = sorted(read, key=lambda each: round(read[each])) if is_stuck else list(read)
     never = is_stuck and done < ENOUGH
-    times = max((count for (kind, _), count in right.items() if kind in (MOVE, JOG)), default=0)
+    kind = MOVE if any(each == MOVE for each, _ in right) else JOG
+    times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
     is_over = run.status == "until" and run.time < LENGTH
     statements = explorer.program.structure.statements.values()
@@ -441,14 +443,16 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     outputs = _outputs(explorer)
     if len(outputs) > 1 and not said and not any((OUTPUT, each) in right for each in outputs):
         return "switches no output"
+    is_silent, is_still = _missed(explorer)
+    if is_still and often[JOG] and not often[MOVE]:
+        return "only jogs"
     if texts or not run.machine.log.moves:
         return ""
-    is_silent, is_still = _missed(explorer)
     if is_silent and run.status != "ended":
         return SILENT
     if not (often[MOVE] or often[JOG]):
         return "only homes"
-    return "only jogs" if is_still and not often[MOVE] else ""
+    return ""
 
 
 def _is_on_alarm(explorer: Explorer, at: int) -> bool:
@@ -482,7 +486,7 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
     aside = explorer.beside | explorer.handlers
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
-            is_done = move.profile.duration < inf and not move.ended
+            is_done = move.profile.duration < inf and not move.ended and move.profile.shape not in ENDLESS
             right[MOVE if is_done else JOG, move.line] += 1
     for switched in run.machine.log.outputs:
         if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
@@ -577,7 +581,7 @@ def _values(explorer: Explorer, channel: Channel) -> list[Any]:
     if channel[0] == "key":
         return list(solved)
     if channel[0] == "analogue":
-        return sorted({*map(float, solved), *LEVELS})
+        return sorted({*map(float, (*solved, *explorer.levels[channel])), USUAL})
     whole = int if channel[0] == "netdata" else float
     return list(dict.fromkeys(whole(each) for each in (*solved, *NUMBERS)))
 

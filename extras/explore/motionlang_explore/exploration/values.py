@@ -87,6 +87,18 @@ def _roots(probe: Change, trial: Trial) -> Iterator[float]:
                 yield value - margin / factor if isfinite(factor) else float(plain(other))
 
 
+def levels(trial: Trial) -> Iterator[Change]:
+    """Yield the levels on both sides of those at which the comparisons of a trial turn, whatever was read."""
+    for left, right in (each[-1] for each in trial.comparisons.values()):
+        form = form_of(left - right) if is_traced(left) or is_traced(right) else {}  # type: ignore[operator]
+        for (table, number, value), factor in form.items():
+            if table == "analogue" and isfinite(factor):
+                read = Change(table, number, value)
+                for level in _near(read, value - (plain(left) - plain(right)) / factor, ()):
+                    change = _change(read, level)
+                    yield from () if change is None else (change,)
+
+
 def codes(trial: Trial, read: Collection[Channel]) -> list[tuple[Change, ...]]:
     """Return the changes of several inputs that let a bank have the code with which it is compared."""
     pairs = (each[-1] for each in trial.comparisons.values())
