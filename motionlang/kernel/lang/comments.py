@@ -9,9 +9,10 @@ Old programs list their channels at the head, in one of a few forms:
     '     1 ram at top              1 lubricate         '  0 nest full     0 clamp
 
 A list begins at a word such as IN with a number, in capitals if the first one of the comment is, or below a heading,
-which is a line of such words alone. A line without a word continues the list above it. Lists of several kinds in one
-line are columns: a number belongs to the list whose word or number is above it. The numbers of a list ascend; one that
-does not explains a value (`IN 4 state, 0 idle`).
+which is a line of such words alone. The word governs the numbers up to the next one, each with or without a mark
+before it (`in: #4 lid, #5 tray`). A line without a word continues the list above it. Lists of several kinds in one line
+are columns: a number belongs to the list whose word or number is above it. The numbers of a list ascend; one that does
+not explains a value (`IN 4 state, 0 idle`).
 
 A name is what follows a number up to the next item, a sign that ends it, a bracket, two blanks or a number with a unit.
 An item begins behind two blanks or a sign. A number behind one blank may be part of a name (`3 nest 1 bottle`), so it
@@ -31,34 +32,53 @@ from textwrap import shorten
 from motionlang.kernel.lang.dialect import Dialect
 from motionlang.kernel.source import Source
 
+# Devices of a list: "valves: 3 clamp". In the middle of a text they begin none.
+_SENSORS = "sensors|switches|buttons|contacts|reeds"
+_ACTUATORS = "valves|solenoids|cylinders|lamps|lights"
+_DRIVES = "motors|drives|servos"
+# E, A and S begin a list in brackets, or before a number or a colon.
+_ALONE = r"(?:(?<=[(\[])|(?=.[\d:]))"
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
-    "input": r"d?i|[ex](?=\d)|i/?p|in(?:p(?:ut)?)?s?x?|din",
-    "output": r"d?[oq]|[ys](?=\d)|rly|relays?|o/?p|out(?:p(?:ut)?)?s?x?|dout",
+    "input": r"d?i|x(?=\d)|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
+    rf"|{_ALONE}e|eing(?:ang|änge)?|entr[ée]es?|{_SENSORS}",
+    "output": r"d?[oq]|y(?=\d)|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
+    rf"|{_ALONE}s|ausg(?:ang|änge)?|sorties?|{_ACTUATORS}",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|i/o",
-    "analogue input": r"a(?=\d)|a/d|adc|ai|an|ain|analog(?:ue)?(?: in(?:put)?s?)?",
+    "analogue input": rf"a/?dc?|ai|ai?n|{_ALONE}a|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
-    "axis": "ax(?:is|es)?",
+    "axis": f"ax(?:is|es?)?|achsen?|{_DRIVES}",
     "encoder": "enc(?:oder)?s?",
     "register": "r(?:eg(?:ister)?s?)?",
     "comms element": "comms",
     "network data": "net(?: ?data)?",
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
-# A word of a heading, which has only such words: "Inputs", "OUTPUTS:", "Inputs (24 V)".
-_HEADING = re.compile(rf"(?:{_KIND})(?:\s?\([^()]*\))?\s?:?(?=\s\s|\s*$)", re.IGNORECASE)
+# Marks and words that may be between the word of a list and its number.
+_BETWEEN = r"(?:[][ .:#=()|_>-]|ch|bit|are|used|list)"
+# A word of a heading, which has only such words: "Inputs", "OUTPUTS:", "Inputs (24 V)", "--- input list ---".
+_HEADING = re.compile(
+    rf"[(\[]?(?:{_KIND})(?:\s?\([^()]*\))?{_BETWEEN}*?(?=\s\s|\s*[-=*]*\s*$|\s?[-=*]{{2}})", re.IGNORECASE
+)
 # A name before its word and number: "carriage = axis 0", "datum switch of the saddle on i/p 8".
 _REVERSED = re.compile(
     rf"\s*(?P<name>[A-Z]|[A-Za-z][\w ]+?)(?:\s*=\s*|(?<=\w) on )(?:{_KIND})[ .#]*(?P<number>\d{{1,3}})\.?\s*",
     re.IGNORECASE,
 )
-_UNIT = "(?:mm|s|ms|sec(?:ond)?s?|counts?|steps?|rpm|deg|degrees|revs?|turns?|percent|kHz|Hz|V|A|%)"
-# A number behind a word, two blanks, a sign or one blank, with the sign and the letter behind it: "IN 0 -", "OUT(0) =".
+_UNIT = (
+    r"(?:mm|s|ms|sec(?:ond)?s?|minutes|days|weeks|months|years|times|x(?= ?\d)|counts|steps?|rpm|deg|degrees"
+    "|revs?|turns?|percent|kHz|Hz|V|A|%)"
+)
+# Where an item begins: two blanks or a sign. A colon is one before a word only.
+_BEGIN = r"(?P<wide>^\s*|(?<!\s)\s\s+)|[,;|*]\s*|[./]\s|[.:]\s?(?!bit )(?=[^\W\d]|[(\[]\D)"
+# What is before the word of a list there, as in "(I)" and "air valves:", and what the word is not in a text.
+_FIRST = r"(?:[(\[](?=[\w/ ]+[)\]]))?(?:\w+ (?=\w+ ?:))??"
+_LATER = f"(?!{_SENSORS}|{_ACTUATORS}|{_DRIVES})"
+# A number behind a word, a mark or neither, with the sign and the letter behind it: "IN 0 -", "OUT(0) =", "#4".
 _ITEM = re.compile(
-    rf"(?:(?:(?P<starts>^\s*|(?<=\s\s)|(?<=[,;|.:])|(?<=[,;|.:/]\s))|(?<=\s))(?:{_KIND})"
-    r"(?(starts)(?:\s+(?:ch|bit)(?=[ .#]*\d))?[ .:#=(]*|[.:#=(]* ?)"
-    r"|(?P<wide>^\s*|(?<!\s)\s\s+)(?:#|bit )?|(?P<sign>[,;|*]\s*|[./]\s)|\s)(?P<number>\d{1,3})"
-    rf"(?:\)?\s*(?P<equal>=)\s*|\)?\s*(?:[-:|]|\.+)\s*|\)?\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[A-Za-z])?",
+    rf"(?:(?P<starts>{_BEGIN})|\s)(?P<item>)"
+    rf"(?:(?(starts){_FIRST}|{_LATER})(?:{_KIND})(?(starts){_BETWEEN}*|[.:#=(]* ?)|[#(\[]|bit )?(?P<number>\d{{1,3}})"
+    rf"[)\]]?(?:\s*(?P<equal>=)\s*|\s*(?:[-:|/]|\.+)\s*|\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[\"']?[^\W\d_])?",
     re.IGNORECASE,
 )
 # A range of numbers, "8..11", "DI8..DI11", "8-11", or a list that counts on, "8,9,10".
@@ -80,10 +100,10 @@ _SENTENCE = re.compile(
     re.IGNORECASE,
 )
 _MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*|]*", re.IGNORECASE)
-# A text in brackets, in which no item begins; `COMMS(3)` is none.
-_BRACKETS = re.compile(r"\((?!\s*\d+\s*\))[^()]*\)")
-# "X = 0" and "X=0": a letter for an axis.
-_LETTER = re.compile(r"\b([A-Z])\s*=\s*(\d)\b")
+# A text in brackets, in which no item begins; `COMMS(3)` and `(I) 1` have none.
+_BRACKETS = re.compile(rf"\((?!\s*\d+\s*\)|(?<!\w \()(?:{_KIND})\))[^()]*\)", re.IGNORECASE)
+# "X = 0", "X=0" and "X axis = 0": a letter for an axis.
+_LETTER = re.compile(r"\b([A-Z])(?: [Aa]xis| AXIS)?\s*=\s*(\d)\b")
 # A channel that is an output: "CH 9 OUT vibrator", "CH9 red lamp (out)".
 _OUT = re.compile(r"(?:^|\()out(?:put)?\b\)?\s*", re.IGNORECASE)
 # A remark that may be a name has at most three words; a number before it, none of a level, is that of the channel.
@@ -268,8 +288,7 @@ def names_in_comments(source: Source, language: Dialect) -> list[Named]:
             found += (
                 (line, at, Named(kind, number, name, line)) for at, kind, number, name in _reversed(text)
             )
-    named = [one for each in lists.all for one in _named(each, language.has_one_series)]
-    named = _in_its_language(named)
+    named = [one for each in _in_its_language(lists.all) for one in _named(each, language.has_one_series)]
     found += (
         (item.line, item.at, Named(kind, number, text, item.line))
         for item, kind, text in _without_values(named)
@@ -312,7 +331,7 @@ def without_marks(comment: str) -> str:
 def _heading(text: str) -> list[re.Match[str]]:
     """Return the words of a heading, none if the line has anything else."""
     words = list(_HEADING.finditer(text))
-    return words if words and not _HEADING.sub("", text).strip() else []
+    return words if words and not _HEADING.sub("", text).strip(" -=*") else []
 
 
 def _items(line: int, text: str, filled: Collection[int]) -> list[_Item]:
@@ -327,20 +346,22 @@ def _items(line: int, text: str, filled: Collection[int]) -> list[_Item]:
     style: bool | None = None
     for match in _ITEM.finditer(outside):
         kind, at = _kind(match), match.start("number")
-        start = max(match.start(), match.end("starts")) if kind else at
+        start = match.start("item")
         is_upper = outside[start:at].isupper()
         if not (kind or match["name"]) or (kind and match["starts"] is None and is_upper != style):
             continue
         style = is_upper if kind and not found else style
         begins_cell = bool(kind) or match["wide"] is not None or at in filled
-        is_loose = not begins_cell and match["sign"] is None
+        is_loose = not begins_cell and match["starts"] is None
         begin = match.start("name") if match["name"] else len(text)
         number, has_equal = int(match["number"]), match["equal"] is not None
         last = ranges.get(at) or number
         found.append(
             _Item(line, text, start, at, begin, number, last, kind, begins_cell, is_loose, has_equal)
         )
-    if not any(each.kind for each in found) and outside[: found[0].at if found else 0].strip(" #bit"):
+    before = outside[: found[0].start if found else 0].strip()
+    is_sentence = _SENTENCE.match(before) and not before.endswith(":")
+    if before and (is_sentence or not any(each.kind for each in found)):
         return []
     end = len(text)
     for item in reversed(found):
@@ -396,7 +417,7 @@ def _named(one: _List, has_one_series: bool) -> Iterator[_NamedItem]:
         first = first if item.line == line else item.number
         has_gap = not item.kind and (has_gap or item.number > last + 1 > 0)
         line, last = item.line, item.last
-        end = following.at if following is not None and following.is_loose else item.end
+        end = following.start if following is not None and following.is_loose else item.end
         text, kind = item.text[item.begin : end], one.kind or "channel"
         if has_one_series and has_gap and kind == "input":
             kind = "channel"
@@ -407,18 +428,19 @@ def _named(one: _List, has_one_series: bool) -> Iterator[_NamedItem]:
             yield item, kind, shorten(name, MAX_NAME, placeholder="")
 
 
-def _in_its_language(named: Sequence[_NamedItem]) -> list[_NamedItem]:
+def _in_its_language(lists: Iterable[_List]) -> list[_List]:
     """Tell outputs by their letter: E0 has A0 beside it in German (Ausgang), and S0 in French (sortie)."""
-    letters = [
-        item.text[item.start : item.at].strip(" .:#=(").upper() if item.kind else "" for item, *_ in named
-    ]
-    if "E" not in letters:
-        return [each for each, letter in zip(named, letters, strict=True) if letter != "S"]
-    outputs = "S" if "S" in letters else "A"
-    return [
-        (item, "output" if letter == outputs else kind, text)
-        for (item, kind, text), letter in zip(named, letters, strict=True)
-    ]
+    letters = {
+        each: one.text[one.start : one.at].strip(" .:#=()[]").upper() if one.kind else ""
+        for each in lists
+        for one in each.items[:1]
+    }
+    if "E" not in letters.values():
+        return [each for each, letter in letters.items() if letter != "S"]
+    for each, letter in letters.items():
+        if letter == ("S" if "S" in letters.values() else "A"):
+            each.kind = "output"
+    return list(letters)
 
 
 def _without_values(named: Iterable[_NamedItem]) -> Iterator[_NamedItem]:
@@ -450,7 +472,7 @@ def _certain(items: Sequence[_Item]) -> list[_Item]:
 
 def _name(text: str) -> str:
     end = _END.search(text)
-    name = (text[: end.start()] if end else text).strip(" .*").removesuffix(" /")
+    name = (text[: end.start()] if end else text).strip(" .:*").removesuffix(" /").removesuffix(" and")
     if not re.search(r"\w ?[-+]$", name) or (end is not None and text[end.end() :][:1].isdigit()):
         name = name.rstrip(" -")  # "jog -" has its sign
     return name
