@@ -148,6 +148,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
             if best.is_good and best.share >= LITTLE:
                 break
+            start = _within_limits(explorer, channels, start, least)
             climbed = _climbed(explorer, channels, start, least, most)
             if climbed.value > best.value:
                 best, world = climbed, other
