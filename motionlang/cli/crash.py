@@ -30,7 +30,7 @@ def crash(error: BaseException, arguments: Sequence[str], source: Source | None 
     `source` is a program that has no file. An error caused by a missing library gets a message of its own, with
     the code "extra", and nothing is stored.
     """
-    import traceback
+    import traceback  # as slow as a fifth of `--version`, which never crashes here
 
     lacking = missing(error, "this run")
     if lacking is not None:

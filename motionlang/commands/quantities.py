@@ -20,11 +20,12 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from statistics import median
 
 from motionlang.commands.certify import certificate, least_margin
 from motionlang.commands.certify.extremes import extremes, motor_peak, peak_speed
 from motionlang.kernel import Run
-from motionlang.kernel.tools import median, nearest
+from motionlang.kernel.tools import nearest
 
 ResultValue = float | str | bool | None
 Reader = Callable[[Run, int], ResultValue]

@@ -254,12 +254,6 @@ def total(values: Iterable[float]) -> float:
         return beyond
 
 
-def median(values: Iterable[float]) -> float:
-    """Return the median of some values; importing `statistics` takes longer than most programs run."""
-    found = sorted(values)
-    return (found[(len(found) - 1) // 2] + found[len(found) // 2]) / 2
-
-
 def exact_terms(values: Iterable[float]) -> list[float]:
     """Return a few floats whose exact sum is the exact sum of all values.
 

@@ -8,12 +8,12 @@ does not make them longer.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from statistics import median
 
 import numpy as np
 
 from motionlang.commands.compare.alignment import Signal
 from motionlang.commands.compare.strokes import Matched
-from motionlang.kernel.tools import median
 
 # The clock is measured between these shares of the travel of a stroke, in so many strokes of so many rows at least. It
 # differs by so many standard deviations.

@@ -44,11 +44,11 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import fsum, isinf
+from statistics import median
 from typing import Any, NamedTuple
 
 from motionlang.kernel.log.log import Log
 from motionlang.kernel.log.move import CONTINUED
-from motionlang.kernel.tools import median
 
 # A repetition occurs as often at least, so that two periods are known.
 MIN_OCCURRENCES = 3

@@ -26,9 +26,9 @@ Listener = Callable[[str, int, bool], None]
 
 # Area -> (first element, last element).
 AREAS = {"comms": (1, 99), "netdata": (0, 999)}
-# Their printed names.
-# What a host writes is a number of the first view for NetData, and of the second one for the comms array.
+# By how much the integer and the float of an element change with what a host writes; NaN for the other view of it.
 _FACTORS = {"comms": (nan, 1.0), "netdata": (1.0, nan)}
+# Their printed names.
 _CALLED = {"comms": "the comms array", "netdata": "NetData"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
 PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
