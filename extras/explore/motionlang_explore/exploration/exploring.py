@@ -57,8 +57,7 @@ def explore(
         if not keeps:
             raise
         found = Exploration(explorer, at.result)
-    explorer.progress, explorer.is_done = bool, True  # what is asked of the result is no part of it
-    explorer.trials.limit = inf
+    explorer.progress, explorer.trials.limit = bool, inf  # what is asked of the result is no part of it
     return found
 
 

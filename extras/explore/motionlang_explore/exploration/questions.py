@@ -132,13 +132,10 @@ def of_conditions(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator
             for some in combinations(choices, count - 1):
                 for others, channel in product(product(*some), unsolved):
                     yield from _compared(explorer, node, visit, others, channel)
-        # Of a bank those that matter come first; what is no comparison may need others, too.
-        for group in dict.fromkeys((tuple(channels), tuple(read))):
-            inputs = [each for each in group if each[0] == "input" and each not in explorer.given]
-            leads_on = partial(_leads_on, explorer, node, visit)
-            if len(inputs) > MAX_TOGETHER and (needed := _fewest(explorer, visit, (), inputs, leads_on)):
-                yield needed
-                break
+        inputs = [each for each in channels if each[0] == "input"]
+        leads_on = partial(_leads_on, explorer, node, visit)
+        if len(inputs) > MAX_TOGETHER and (needed := _fewest(explorer, visit, (), inputs, leads_on)):
+            yield needed
 
 
 def _fewest(

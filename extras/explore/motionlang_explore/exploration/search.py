@@ -89,8 +89,6 @@ class Explorer:
         self.progress, self.whole = progress, whole
         self.trials = Trials(program, kept, whole, used)
         self.trials.limit = whole
-        # True once the exploration is done: what is asked of it then has a budget of its own.
-        self.is_done = False
         self.program = program = self.trials.program
         self.switches.turn(encoders_read(program.structure))
         self.trials.give(self.switches.settings)
@@ -149,13 +147,12 @@ class Explorer:
 
     def most(self, share: float = 1.0) -> float:
         """Return the work at which something ends that may take a share of the whole, or what is left of it."""
-        most = self.trials.work + share * self.whole
-        return most if self.is_done else min(most, self.whole)
+        return min(self.trials.work + share * self.whole, self.trials.limit)
 
     @property
     def has_work(self) -> bool:
-        """True if some of the work of the exploration is left, or it is done."""
-        return self.is_done or self.trials.work < self.whole
+        """True if some of the work of the exploration is left; once it is done, always."""
+        return self.trials.work < self.trials.limit
 
     @property
     def channels(self) -> list[int]:

@@ -119,9 +119,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         # What comes one by one is over soon.
         tables = ((table, each) for table in ("input", "analogue") for each in entries(first.settings, table))
         often = Counter((table, number_in(table, each)) for table, each in tables)
-        first = _climbed(
-            explorer, [each for each in channels if often[each] > LISTED], first, least, inf, GOOD
-        )
+        listed = [each for each in channels if often[each] > LISTED]
+        first = _climbed(explorer, listed, first, least, inf, GOOD)
         off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
         first = _with_less(explorer, _right_branch(explorer, off, first, least), least)
     if first.settings != found.settings:
@@ -129,13 +128,10 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     best, world = first, found
     # Rejects are more different lines: what does good work is left as it is.
     likely = () if first.is_good else _likely_starts(explorer, channels, found)
-    for starts, share in (
-        (likely, LIKELY),
-        (_simple_starts(explorer, channels, found, likeliest, first), 1.0),
-    ):
-        if (
-            (best is first or _is_enough(best)) and best.is_good and best.share >= LITTLE
-        ) or not explorer.has_work:
+    simple = _simple_starts(explorer, channels, found, likeliest, first)
+    for starts, share in ((likely, LIKELY), (simple, 1.0)):
+        does_enough = best is first or _is_enough(best)
+        if (does_enough and best.is_good and best.share >= LITTLE) or not explorer.has_work:
             break
         tried = []
         for settings, other in starts:

@@ -14,7 +14,7 @@ from itertools import chain, pairwise
 from math import fsum, inf, isfinite
 from typing import TYPE_CHECKING, Any
 
-from motionlang.kernel.traced import form_of, is_traced, plain
+from motionlang.kernel.traced import Form, form_of, is_traced, plain
 from motionlang_explore.exploration.changes import WHOLE, Change, Channel
 from motionlang_explore.exploration.recorder import Comparison
 
@@ -78,20 +78,22 @@ def _roots(probe: Change, trial: Trial) -> Iterator[float]:
     """Yield the values of a channel at which comparisons turn; that of the other side where no sum leads there."""
     value = _number(probe)
     for left, right in chain.from_iterable(trial.comparisons.values()):
-        for table, number, read in (*form_of(left), *form_of(right)):
-            is_it = table == probe.table and (number == probe.number or table == "answer") and read == value
-            factor = form_of(left - right).get((table, number, read), 0.0) if is_it else 0.0  # type: ignore[operator]
-            if factor:
+        for (table, number, read), factor in _difference(left, right).items():
+            if table == probe.table and (number == probe.number or table == "answer") and read == value:
                 margin = plain(left) - plain(right)
                 other = right if is_traced(left) else left
                 yield value - margin / factor if isfinite(factor) else float(plain(other))
 
 
+def _difference(left: Any, right: Any) -> Form:
+    """Return the form of the left side of a comparison minus the right one, empty if no reading takes part."""
+    return form_of(left - right) if is_traced(left) or is_traced(right) else {}
+
+
 def levels(trial: Trial) -> Iterator[Change]:
     """Yield the levels on both sides of those at which the comparisons of a trial turn, whatever was read."""
     for left, right in (each[-1] for each in trial.comparisons.values()):
-        form = form_of(left - right) if is_traced(left) or is_traced(right) else {}  # type: ignore[operator]
-        for (table, number, value), factor in form.items():
+        for (table, number, value), factor in _difference(left, right).items():
             if table == "analogue" and isfinite(factor):
                 read = Change(table, number, value)
                 for level in _near(read, value - (plain(left) - plain(right)) / factor, ()):
@@ -101,8 +103,7 @@ def levels(trial: Trial) -> Iterator[Change]:
 
 def codes(trial: Trial, read: Collection[Channel]) -> list[tuple[Change, ...]]:
     """Return the changes of several inputs that let a bank have the code with which it is compared."""
-    pairs = (each[-1] for each in trial.comparisons.values())
-    found = dict.fromkeys(_flips(*each) for each in pairs if any(map(is_traced, each)))
+    found = dict.fromkeys(_flips(*each[-1]) for each in trial.comparisons.values())
     return [each for each in found if len(each) > 1 and {one.channel for one in each}.issubset(read)]
 
 
@@ -111,12 +112,11 @@ def _flips(left: Any, right: Any) -> tuple[Change, ...]:
 
     Each weighs twice as much as the one before, so the lowest bit of what is left says if it has to change.
     """
+    form = _difference(left, right)
+    if not form or not all(table == "input" and isfinite(k) for (table, _, _), k in form.items()):
+        return ()
     lacks, changes = plain(right) - plain(left), list[Change]()
-    for (table, number, level), factor in sorted(
-        form_of(left - right).items(), key=lambda each: abs(each[1])
-    ):
-        if table != "input" or not isfinite(factor):
-            return ()
+    for (table, number, level), factor in sorted(form.items(), key=lambda each: abs(each[1])):
         if round(lacks / factor) % 2:
             lacks -= factor * (1.0 - 2.0 * level)
             changes.append(Change(table, number, 1.0 - level))
@@ -136,7 +136,7 @@ def periods(trial: Trial, number: int) -> Iterator[float]:
         if level
     ]
     for left, right in (each[-1] for each in trial.comparisons.values() if len(edges) > 1):
-        form = form_of(left - right) if is_traced(left) or is_traced(right) else {}  # type: ignore[operator]
+        form = _difference(left, right)
         if len(form) == 2 and len({each[:2] for each in form}) == 1 and not fsum(form.values()):
             (_, _, first), (_, _, last) = sorted(form)
             way = last - (plain(left) - plain(right)) / form[max(form)] - first

@@ -300,7 +300,7 @@ examples:
             )
         )
         changed = changed_in_words(settings, read_machine(Source(path, found.text)))
-        sentences = [*found.sentences, *([f"other entries: {changed}"] if changed else [])]
+        sentences = [*found.sentences, *([f"entries that differ: {changed}"] if changed else [])]
         sys.stderr.writelines(f"note: {each}\n" for each in sentences)
         if self.write and found.text != machine.text:
             try:

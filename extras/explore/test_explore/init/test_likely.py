@@ -56,6 +56,29 @@ Loop
   If force > 42 And force < 56 Then Print "passed" Else Print "scrap"
 End Loop
 """
+# A web with a mark each 400 mm, which an encoder measures.
+MARKS = """\
+Dim marked As Integer, here As Float, last As Float
+ENCODERSCALE(2) = 10
+SPEED(0) = 600 : ACCEL(0) = 2500 : DECEL(0) = 2500
+IMASK(0) = 2
+Loop
+  Pause marked
+  marked = 0
+  If Abs(here - last - 400) > 6 Then
+    Print "mark out of register"
+  Else
+    MOVER(0) = 30 : GO(0) : Pause IDLE(0)
+    MOVER(0) = -30 : GO(0) : Pause IDLE(0)
+    Print "sheet cut"
+  End If
+  last = here
+End Loop
+Event IN1
+  here = ENCODER(2)
+  marked = 1
+End Event
+"""
 # A part, a probe that feels it, and a stop; all are looked at once in a stroke.
 PROBE = f"""\
 {RATES}
@@ -87,6 +110,7 @@ End Loop
         pytest.param(PULSES, "welded", "BAD PART", id="pulses", marks=pytest.mark.slow),
         pytest.param(SHIFT, "cell passed", "nothing", id="shift"),
         pytest.param(SPRINGS, "passed", "scrap", id="springs"),
+        pytest.param(MARKS, "sheet cut", "nothing", id="marks"),
         pytest.param(PROBE, "four passed", "nothing", id="probe"),
     ],
 )

@@ -115,9 +115,9 @@ def test_what_a_person_has_corrected_is_true_and_the_rest_is_searched(cell: Cell
         "+  { channel = 0, asked = 0.3, guess = true },",
     ]
     assert ran.status == 0
-    assert ran.err.endswith("note: other entries: input 0\n")
+    assert ran.err.endswith("note: entries that differ: input 0\n")
     again = cell("init", "feed.prg", "--update")
-    assert (again.out, "other entries" in again.err) == ("", False)
+    assert (again.out, "entries that differ" in again.err) == ("", False)
     (cell.folder / "feed.machine.toml").unlink()
     assert "hint: motionlang init feed.prg writes it" in cell("init", "feed.prg", "--update").err
 

@@ -1,0 +1,45 @@
+"""What a program prints when something is wrong, as a person reads it, in English, German and French."""
+
+from __future__ import annotations
+
+import pytest
+
+from motionlang_explore.exploration import is_wrong
+
+WRONG = """\
+mark out of register,  99.2 mm
+BORE OUT OF SIZE
+ERR 4
+FLT 12
+STOERUNG Korb 2
+Störung Klappe
+NOT-AUS
+Teil fehlt
+Spanner klemmt
+Blech haengt
+Ausschuss 3
+DEFAUT 7 apres 0 tuyaux
+défaut bride
+erreur 3
+rebut
+pièce coincée
+tapis bloqué
+"""
+RIGHT = """\
+6 out of 10 done
+default speed
+points coincide
+Blech 3 gelaugt und gesalzen
+tuyau 3/5 pret
+Panel 4
+"""
+
+
+@pytest.mark.parametrize("text", WRONG.splitlines())
+def test_wrong(text: str) -> None:
+    assert is_wrong(text)
+
+
+@pytest.mark.parametrize("text", RIGHT.splitlines())
+def test_right(text: str) -> None:
+    assert not is_wrong(text)
