@@ -53,6 +53,8 @@ _NAMED = (
     r"|d[ée]faut|erreur|rebut|\bpanne\b|manqu|coinc[ée]|bloqu|hors (?:tol|lim|cote)"
     r"|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
     r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
+    r"|(?:carter|capot|porte|grille)(?=\W+(?:est\W+)?ouvert)"
+    r"|(?:t(?:ü|ue)r|haube|schutz\w*)(?=\W+(?:ist\W+)?(?:offen|auf\b))"
 )
 _WRONG = re.compile(
     rf"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))"
@@ -64,7 +66,8 @@ _RIGHT = re.compile(r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b", re.IGNORECASE)
 STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
 _ALARM = re.compile(
-    r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
+    r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer"
+    r"|st(?:oe|ö)rung|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe|d[ée]faut|rebut|rouge|mauvais|klaxon",
     re.IGNORECASE,
 )
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.

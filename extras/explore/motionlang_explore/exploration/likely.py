@@ -11,6 +11,7 @@ import re
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
+from motionlang.kernel import Source
 from motionlang.kernel.lang import WRITE, Named, Structure
 from motionlang_explore.exploration.states import DELAY
 from motionlang_explore.identification import Entry
@@ -47,6 +48,13 @@ _BACK = re.compile(
 _SHOWN = re.compile(
     r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b|leuchte|hupe|voyant|lampe", re.IGNORECASE
 )
+# What a remark behind a name says of a level, such as (0 = shut), and words for the level in a good machine and in a
+# bad one.
+_LEVELS = re.compile(r"\W{1,3}([01]) *= *([^\W\d]+)(?:\W{1,3}([01]) *= *([^\W\d]+))?")
+_GOOD = re.compile(r"shut|clos|free|clear|ok|good|zu$|frei|gut|in$|ferm|libre|bon", re.IGNORECASE)
+_BAD = re.compile(
+    r"open|interr|broke|low|empty|stop|halt|fault|offen|unterbr|bruch|leer|ouv|coup|cass|vide", re.IGNORECASE
+)
 # What names of inputs and outputs share by chance.
 _COMMON = re.compile(
     r"air|and|der|des|for|from|has|inp|input|left|les|off|out|output|part|piece|ready|right|sensor|sol|switch|teil|the"
@@ -59,10 +67,14 @@ _WORD = re.compile(r"(?<=[a-z])(?=[A-Z])|_")
 class Likely:
     """The rules that are likely for the inputs of a program, the likeliest first."""
 
-    def __init__(self, structure: Structure, named: Iterable[Named]) -> None:
+    def __init__(self, structure: Structure, named: Iterable[Named], source: Source) -> None:
         names = defaultdict[tuple[str, int], str](str)
+        self._steady: dict[int, Entry] = {}
         for each in named:
             names[each.kind, each.number] += f" {_WORD.sub(' ', each.name)}"
+            remark = source.line(each.line).partition(each.name)[2] if each.line else ""
+            if each.kind in ("input", "channel") and (level := _good_level(remark)) is not None:
+                self._steady[each.number] = {**ON} if level else {}
         # The channels of a controller with one series are inputs or outputs.
         switched = set[int]().union(*(each.outputs for each in structure.statements.values()))
         for kind, number in [each for each in names if each[0] == "channel"]:
@@ -86,7 +98,8 @@ class Likely:
             levels.reverse()
         behind = [{"output": each, "delay": SOON, **level} for each in shares[:2] for level in levels]
         by_word: tuple[tuple[re.Pattern[str], Entry], ...] = ((_ABSENT, {}), (_STEADY, ON), (_PUSHED, PUSHED))
-        said = [{**rule} for words, rule in by_word if words.search(name)]
+        said = [self._steady[number]] if number in self._steady else []
+        said += [{**rule} for words, rule in by_word if words.search(name)]
         others = [
             {"output": each, "delay": SOON, **level}
             for each in before
@@ -96,6 +109,17 @@ class Likely:
         found = [*behind, *said, *others] if by_name else [*said, *others, *behind]
         found += [{**ON}, {**QUICK}, {**PUSHED}]
         return [each for k, each in enumerate(found) if each not in found[:k]]
+
+
+def _good_level(remark: str) -> bool | None:
+    """Return the level of a good machine of which a remark behind a name speaks, None if it speaks of none."""
+    found = _LEVELS.match(remark)
+    said = [] if found is None else [*zip(found.groups()[::2], found.groups()[1::2], strict=True)]
+    for level, word in said:
+        for words, is_good in ((_GOOD, True), (_BAD, False)):
+            if level and words.match(word):
+                return (level == "1") is is_good
+    return None
 
 
 def _switched_before(

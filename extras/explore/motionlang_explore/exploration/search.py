@@ -139,7 +139,7 @@ class Explorer:
             Named(each.channel, int(each.number), each.alias, 0) for each in uses if each.number.isdecimal()
         ]
         named = (*names_in_comments(program.source, dialect(program.language)), *aliases)
-        self.likely, self.alarms = Likely(structure, named), alarms_in(named)
+        self.likely, self.alarms = Likely(structure, named, program.source), alarms_in(named)
         # Work that goes on without a rest.
         self.working: list[Work] = []
 

@@ -24,6 +24,8 @@ erreur 3
 rebut
 pièce coincée
 tapis bloqué
+CARTER OUVERT
+Schutzhaube offen
 """
 RIGHT = """\
 6 out of 10 done
@@ -32,6 +34,7 @@ points coincide
 Blech 3 gelaugt und gesalzen
 tuyau 3/5 pret
 Panel 4
+porte fermée
 """
 
 
