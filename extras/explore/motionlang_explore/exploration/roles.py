@@ -46,15 +46,20 @@ def numbers_that_start(units: Iterable[Unit]) -> set[Channel]:
 def beside_work(structure: Structure) -> frozenset[int]:
     """Return the statements of the tasks beside the work: those that command no motion and wait for nothing but time.
 
-    They blink, regulate or watch, as timers do. If no task works, none is beside it.
+    They blink, regulate or watch, as timers do. One that sets what alone another task waits for leads the work. If no
+    task works, none is beside it.
     """
-    points, graph = structure.points, structure.graph
-    work = {at for at, each in structure.statements.items() if each.waits not in ("", "time") or each.moves}
-    working: set[int] = set()
-    others: set[int] = set()
-    for task in (*structure.tasks(), *(unit for unit in structure.units if unit.is_timed)):
-        reached = {points[point].at for point in graph.reached(task.entry)}
-        (others if reached.isdisjoint(work) else working).update(reached)
+    points, graph, statements = structure.points, structure.graph, structure.statements
+    works = {at for at, each in statements.items() if each.waits not in ("", "time") or each.moves}
+    uses = [(points[p].at, use) for p, use in enumerate(graph.uses) if use is not None]
+    alone = {at for at in works if not (statements[at].moves or statements[at].channels)}
+    waited = set[int]().union(*(use.reads for at, use in uses if at in alone and len(use.reads) == 1))
+    works |= {at for at, use in uses if waited.intersection(each for each in use.sets if each >= 0)}
+    timed = (unit for unit in structure.units if unit.is_timed)
+    reached = [{points[p].at for p in graph.reached(task.entry)} for task in (*structure.tasks(), *timed)]
+    working, others = set[int](), set[int]()
+    for each in reached:
+        (others if works.isdisjoint(each) else working).update(each)
     return frozenset(others - working) if working else frozenset()
 
 
