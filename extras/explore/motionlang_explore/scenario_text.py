@@ -26,7 +26,9 @@ def scenario_text(about: str, settings: Mapping[str, object], expected: Iterable
         tables["expect"] = entries
     for table, rows in tables.items():
         assert isinstance(rows, list)
-        parts += [f"\n{table} = [\n", *(f"  {inline(_typed(row))},\n" for row in rows), "]\n"]
+        if table != "netdata":  # a whole number there is an integer, a float has a point
+            rows = map(_typed, rows)
+        parts += [f"\n{table} = [\n", *(f"  {inline(row)},\n" for row in rows), "]\n"]
     return "".join(parts)
 
 

@@ -92,7 +92,7 @@ class Change(NamedTuple):
             again = f" and {other} again" if self.moment.every and self.moment.times == 1 else ""
             return f"{self.subject} {level}{again}{self.moment}"
         if self.table == "key":
-            return "key Enter" if self.value == "\r" else f"key {self.value}"
+            return f"key {self.value}".replace("{Enter}", " Enter").replace("\r", "Enter")
         if self.table == "answer":
             return f"{self.prompt!r} {self.value}"
         assert isinstance(self.value, (int, float))

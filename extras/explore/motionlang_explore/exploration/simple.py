@@ -22,8 +22,9 @@ each level.
 from __future__ import annotations
 
 import re
+from bisect import bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial, reduce
 from itertools import product
 from math import fsum, inf
@@ -42,6 +43,7 @@ from motionlang_explore.exploration.cycles import (
     wrong,
 )
 from motionlang_explore.exploration.likely import ASKED, ON, PUSH, QUICK, SOON
+from motionlang_explore.exploration.recorder import ReadSpan
 from motionlang_explore.exploration.search import Explorer
 from motionlang_explore.exploration.states import DELAY
 from motionlang_explore.exploration.trials import (
@@ -49,7 +51,7 @@ from motionlang_explore.exploration.trials import (
     SHORTEST_MOVE,
     is_short_move,
 )
-from motionlang_explore.exploration.values import is_probe, probe_of, solved
+from motionlang_explore.exploration.values import is_probe, levels, probe_of, solved
 from motionlang_explore.exploration.world import PULSES, WRITES, FoundWorld, world_of
 from motionlang_explore.identification import Entry, place
 
@@ -89,14 +91,15 @@ Settings = Mapping[str, object]
 class Tried(NamedTuple):
     """A run in a world: the statements that begin, their share of the program, its worth, and if its work is good.
 
-    `read` are the channels that it reads, in the order in which it reads them first, or last if it waits for ever.
+    `read` is when it reads each channel, in the order in which it reads them first, or last before it says what is
+    wrong or waits for ever.
     `times` is how often the line moves an axis that does so most often, `faults` how much it says of what is wrong.
     """
 
     settings: Settings
     run: Run
     begun: frozenset[int]
-    read: Sequence[Channel]
+    read: Mapping[Channel, Sequence[ReadSpan]]
     times: int
     faults: float
     share: float
@@ -127,11 +130,11 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         found = found._replace(settings=first.settings, run=first.run)
     best, world = first, found
     # Rejects are more different lines: what does good work is left as it is.
-    likely = () if first.is_good else _likely_starts(explorer, channels, found)
+    likely = () if _does_work(explorer, first) else _likely_starts(explorer, channels, found)
     simple = _simple_starts(explorer, channels, found, likeliest, first)
     for starts, share in ((likely, LIKELY), (simple, 1.0)):
         does_enough = best is first or _is_enough(best)
-        if (does_enough and best.is_good and best.share >= LITTLE) or not explorer.has_work:
+        if (does_enough and _does_much(explorer, best)) or not explorer.has_work:
             break
         tried = []
         for settings, other in starts:
@@ -142,7 +145,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         starting = {each[0].begun: each for each in tried}.values()
         most = explorer.most(share)
         for start, other in sorted(starting, key=lambda each: (not each[0].is_good, -each[0].share))[:STARTS]:
-            if best.is_good and best.share >= LITTLE:
+            if _does_much(explorer, best):
                 break
             start = _within_limits(explorer, channels, start, least)
             climbed = _climbed(explorer, channels, start, least, most)
@@ -206,8 +209,8 @@ def _bare(channels: Sequence[Channel], found: FoundWorld) -> Settings:
 
 def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, least: int) -> Tried:
     """Return the run that goes further of those that take another branch of a judgement by one more input."""
-    rules = [{**ON}, *_followed(first.run)]
-    settings = (_with(first.settings, each, rule) for each, rule in product(off, rules))
+    rules = ((each, rule) for each in off for rule in ({**ON}, *_followed(first, each)))
+    settings = (_with(first.settings, *each) for each in rules)
     flipped = [_tried(explorer, each, least) for each in settings if explorer.has_work]
     found = (first, *(each for each in flipped if _judges(explorer, first, each)))
     return max(found, key=lambda each: each.value)
@@ -237,12 +240,19 @@ def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
 def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
     """True if two runs take two branches of a judgement: each does something that the other does not, and is good.
 
-    To say nothing is a branch, too, where the other one says what is right. What ends the program is none.
+    To say nothing but at the start is a branch, too, where the other one says what is right. What ends the program is
+    none.
     """
-    mine, others = (_acts(explorer, each.run)[0].keys() for each in (one, other))
+    mine, others = (_acts(explorer, each.run)[0] for each in (one, other))
     ends = other.run.status == "ended" != one.run.status
-    is_silent = all(kind != SAID for kind, _ in mine) and any(kind == SAID for kind, _ in others)
-    return other.is_good and not ends and bool(others - mine) and (is_silent or bool(mine - others))
+    is_silent = not _says(mine) and _says(others)
+    differs = bool(others.keys() - mine.keys()) and (is_silent or bool(mine.keys() - others.keys()))
+    return other.is_good and not ends and differs
+
+
+def _says(right: Counter[tuple[str, object]]) -> bool:
+    """True if a run says what is right again and again."""
+    return any(kind == SAID and count > 1 for (kind, _), count in right.items())
 
 
 def _within_limits(explorer: Explorer, channels: Sequence[Channel], first: Tried, least: int) -> Tried:
@@ -292,8 +302,9 @@ def _asked(settings: Settings) -> Settings:
     for table in WRITES:
         firsts: dict[int, Entry] = {}
         for each in entries(settings, table):
-            rest = {key: value for key, value in each.items() if key != "at"}
-            firsts.setdefault(number_in(table, each), {**rest, **ASKED})
+            number = number_in(table, each)
+            kept = {key: each[key] for key in (*keys_of(table, number), "value", "text") if key in each}
+            firsts.setdefault(number, {**kept, **ASKED})
         made |= {table: [*firsts.values()]} if firsts else {}
     return made
 
@@ -312,7 +323,7 @@ def _climbed(
     stage, before = 0, best.value
     while True:
         events = sorted(explorer.triggers | explorer.latches)
-        read = [*reversed(best.read), *(("input", each) for each in events)]
+        read = [*reversed([*best.read]), *(("input", each) for each in events)]
         ones = [(each,) for each in dict.fromkeys(read) if each in channels]
         for some in _pairs(explorer, channels) if stage == PAIRS else ones:
             for settings in [*_others(explorer, some, best)][
@@ -331,6 +342,17 @@ def _climbed(
             return best
         stage = 0 if best.value > before + HALF else stage + 1
         before = best.value
+
+
+def _does_much(explorer: Explorer, tried: Tried) -> bool:
+    """True if a run does good work that is not little of the program."""
+    return _does_work(explorer, tried) and tried.share >= LITTLE
+
+
+def _does_work(explorer: Explorer, tried: Tried) -> bool:
+    """True if a run does good work; one that says nothing has to switch on all outputs of the work."""
+    right = _acts(explorer, tried.run)[0]
+    return tried.is_good and (_says(right) or all((OUTPUT, each) in right for each in _outputs(explorer)))
 
 
 def _is_enough(tried: Tried) -> bool:
@@ -372,7 +394,9 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     others = (each.time for some in (log.prints, log.outputs) for each in some)
     last = max((each.start_time for each in log.moves), default=max(others, default=0.0))  # a lamp may blink
     is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
-    order = sorted(read, key=lambda each: round(read[each])) if is_stuck else list(read)
+    trouble = min(_times(explorer, run, faults), default=run.time)
+    if is_stuck or faults:
+        read = {each: read[each] for each in sorted(read, key=partial(_last_read, read, trouble))}
     never = is_stuck and done < ENOUGH
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
@@ -392,7 +416,22 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
     value -= ENTRY * fsum(_cost(*each) for each in made)
     is_good = works and not (never or fault_of(explorer, run))
-    return Tried(settings, run, frozenset(begun), order, times, wrongs, share, round(value, 6), is_good)
+    return Tried(settings, run, frozenset(begun), read, times, wrongs, share, round(value, 6), is_good)
+
+
+def _times(explorer: Explorer, run: Run, faults: Collection[str]) -> Iterator[float]:
+    """Yield when a run says what is wrong."""
+    for each in run.machine.log.prints:
+        if without_figures(plain(each.text)) in faults:
+            yield each.time
+    for switched in run.machine.log.outputs:
+        if switched.value and f"output {switched.channel}" in faults:
+            yield switched.time
+
+
+def _last_read(read: Mapping[Channel, Sequence[ReadSpan]], until: float, channel: Channel) -> int:
+    """Return the second in which a channel was read last before a time, -1 if it was not."""
+    return max((round(min(each.last, until)) for each in read[channel] if each.first <= until), default=-1)
 
 
 def _cost(table: str, entry: Entry) -> float:
@@ -407,9 +446,9 @@ def _cost(table: str, entry: Entry) -> float:
 def fault_of(explorer: Explorer, run: Run) -> str:
     """Return what is wrong with the work of a run in words, "" if nothing is.
 
-    A run that prints nothing, or only jogs, does no work if the program has texts, or moves, that no trial has reached.
-    One that switches no output does none if the program switches several. An alarm that comes once in several pieces,
-    each of which makes the same move, calls for a change of tool.
+    A run that prints nothing once it moves, or only jogs, does no work if the program has texts, or moves, that no
+    trial has reached, or if it soon stands still. One that switches no output does none if the program switches
+    several. An alarm that comes once in several pieces, each of which makes the same move, calls for a change of tool.
     """
     right, faults = _acts(explorer, run)
     for each in run.machine.log.prints:
@@ -443,9 +482,11 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     is_silent, is_still = _missed(explorer)
     if is_still and often[JOG] and not often[MOVE]:
         return "only jogs"
-    if texts or not run.machine.log.moves:
+    moved = [each.start_time for each in run.machine.log.moves]
+    if not moved or any(each.time >= min(moved) for each in run.machine.log.prints):
         return ""
-    if is_silent and run.status != "ended":
+    stands_still = 2 * max(moved) < run.time and often[MOVE] + often[JOG] < ENOUGH
+    if run.status != "ended" and (is_silent or stands_still):
         return SILENT
     if not (often[MOVE] or often[JOG]):
         return "only homes"
@@ -504,7 +545,7 @@ def _others(explorer: Explorer, channels: Sequence[Channel], best: Tried) -> Ite
     """Yield the settings of a run with another rule for some channels, the simplest first."""
     rules = _rules if channels[0][0] == "input" else _levels
     tried: list[Entry] = []
-    for rule in rules(explorer, channels[0], best.run):
+    for rule in rules(explorer, channels[0], best):
         if rule not in tried:
             tried.append(rule)
             yield reduce(partial(_with, rule=rule), channels, best.settings)
@@ -519,26 +560,36 @@ def _with(settings: Settings, channel: Channel, rule: Entry) -> Settings:
     return {**others, **({table: made} if made else {})}
 
 
-def _rules(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
+def _rules(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Entry]:
     """Yield the simple rules of an input: never, always, a person, a sensor behind an output, marks, a position."""
     if channel[1] in explorer.triggers:
         for every in explorer.periods[channel[1]]:
             yield {"at": every, "for": SOON, "every": every}
         yield {**COUNTED}
-    yield from _marks(run, explorer.marks.get(channel[1], ()))
+    yield from _marks(best.run, explorer.marks.get(channel[1], ()))
     yield from explorer.likely.rules(channel[1])
-    yield from ({}, {**PULSES}, {**ON, "for": PUSH})
-    yield from _followed(run)
-    for axis, way in _ways(run).items():
+    yield {}
+    last, *others = [*_followed(best, channel)] or [{}]
+    yield last
+    yield from ({**PULSES}, {**ON, "for": PUSH})
+    yield from others
+    for axis, way in _ways(best.run).items():
         middle = round((min(way.places) + max(way.places)) / 2, 2)
         yield {"axis": axis, "above": middle}
         yield {"axis": axis, "below": middle}
-    yield from _marks(run, (0.5,))
+    yield from _marks(best.run, (0.5,))
 
 
-def _followed(run: Run) -> Iterator[Entry]:
-    """Yield the rules of a sensor behind each output, on with it and on without it."""
-    for output in sorted({each.channel for each in run.machine.log.outputs if each.at >= 0}):
+def _followed(best: Tried, channel: Channel) -> Iterator[Entry]:
+    """Yield the rules of a sensor behind each output, on with it and on without it.
+
+    That one comes first which is switched last before the input is read most often.
+    """
+    switched = [each for each in best.run.machine.log.outputs if each.at >= 0]
+    times = [each.time for each in switched]
+    before = (bisect_right(times, span.first) for span in best.read.get(channel, ()))
+    often = Counter(switched[k - 1].channel for k in before if k)
+    for output in sorted({each.channel for each in switched}, key=lambda each: (-often[each], each)):
         yield {"output": output, "delay": SOON}
         yield {"output": output, "delay": SOON, "value": 0}
 
@@ -553,9 +604,9 @@ def _marks(run: Run, shares: Iterable[float]) -> Iterator[Entry]:
                 yield {"axis": axis, "between": mark, "every": round(step, 2), "times": ALL}
 
 
-def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
+def _levels(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Entry]:
     """Yield the rules of a level, or of a number of a host: values at which comparisons turn, and usual ones."""
-    key, values = "text" if channel[0] == "key" else "value", _values(explorer, channel)
+    key, values = "text" if channel[0] == "key" else "value", _values(explorer, channel, best)
     if channel[0] != "analogue":
         for value in values:
             yield {key: value, **ASKED}
@@ -563,7 +614,7 @@ def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
         return
     yield from ({"value": value, **ON} for value in values)
     # An axis that comes back carries what is measured.
-    ways = sorted(_ways(run).items(), key=lambda each: len({*each[1].places}))
+    ways = sorted(_ways(best.run).items(), key=lambda each: len({*each[1].places}))
     ends = [USUAL, ABOVE, *values]
     for value, (axis, way) in product(ends, ways):
         low, high = min(way.places), max(way.places)
@@ -571,16 +622,21 @@ def _levels(explorer: Explorer, channel: Channel, run: Run) -> Iterator[Entry]:
         yield {"axis": axis, "above": low, "value": 0.0, "per_unit": per_unit}
 
 
-def _values(explorer: Explorer, channel: Channel) -> list[Any]:
+def _values(explorer: Explorer, channel: Channel, best: Tried) -> list[Any]:
     """Return the values of a key, a number or a level at which comparisons turn, and usual ones."""
     tried = (each for node in explorer.nodes.values() for causes in node.tried for each in causes)
     solved = dict.fromkeys(each.value for each in tried if each.channel == channel and not is_probe(each))
     if channel[0] == "key":
         return list(solved)
     if channel[0] == "analogue":
-        return sorted({*map(float, (*solved, *explorer.levels[channel])), USUAL})
-    whole = int if channel[0] == "netdata" else float
-    return list(dict.fromkeys(whole(each) for each in (*solved, *NUMBERS)))
+        usual = _with(best.settings, channel, {"value": USUAL, **ON})
+        compared = levels(
+            explorer.trials.play_in(usual, LENGTH)
+        )  # a peak of nothing would not be one of a reading
+        read = (each.value for each in compared if each.channel == channel)
+        return sorted({*map(float, (*solved, *read, *explorer.levels[channel])), USUAL})
+    is_real = channel[0] != "netdata" or any(isinstance(each, float) for each in solved)
+    return list(dict.fromkeys((float if is_real else int)(each) for each in (*solved, *NUMBERS)))
 
 
 class Way(NamedTuple):

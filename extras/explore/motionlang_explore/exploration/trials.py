@@ -20,7 +20,15 @@ from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 from motionlang_explore.exploration.changes import Channel, Timeline, merged, tables_of
 from motionlang_explore.exploration.memory import Memory
-from motionlang_explore.exploration.recorder import Begun, Comparison, Outcome, Readings, Seen, TrialRecorder
+from motionlang_explore.exploration.recorder import (
+    Begun,
+    Comparison,
+    Outcome,
+    Readings,
+    ReadSpan,
+    Seen,
+    TrialRecorder,
+)
 from motionlang_explore.exploration.roles import written_at
 
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
@@ -371,23 +379,23 @@ class Trials:
 
     def run_in(
         self, tables: Mapping[str, object], until: float | None = None
-    ) -> tuple[Run, set[int], dict[Channel, float]]:
+    ) -> tuple[Run, set[int], dict[Channel, list[ReadSpan]]]:
         """Run the program with some tables of the machine file up to a time.
 
         Without a time the run ends where that of a machine file does. Returns also what has begun, and when each
-        channel was read last, s, in the order in which they were read first.
+        channel was read, in the order in which they were read first.
         """
         self.count += 1
         recorder = self._recorder(inf, is_plain=True)
         result = self._run(tables, until, recorder)
         self._note_work(recorder)
         begun = {each for each in recorder.seen if isinstance(each, int)}
-        spans: dict[Channel, list[float]] = defaultdict(list)
+        spans: dict[Channel, list[ReadSpan]] = defaultdict(list)
         for each in recorder.readings.values():
             for channel, read in each.items():
-                spans[channel] += (read[0].first, read[-1].last)
-        firsts = sorted(spans, key=lambda channel: (min(spans[channel]), channel))
-        return result, begun, {channel: max(spans[channel]) for channel in firsts}
+                spans[channel] += read
+        firsts = sorted(spans, key=lambda channel: (min(spans[channel]).first, channel))
+        return result, begun, {channel: spans[channel] for channel in firsts}
 
 
 def _question(result: Run) -> str | None:

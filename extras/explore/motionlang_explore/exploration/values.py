@@ -27,6 +27,8 @@ KEY, LEVEL, NUMBER, ANSWER = "~", 41.0, 7771, "7771"
 USUAL_ANSWERS, WIDE = ("10", "1", "100", "0.5"), 100.0
 _RANGE = re.compile(r"(\d+(?:\.\d+)?)\s*(?:to|-|\.\.)\s*(\d+(?:\.\d+)?)", re.IGNORECASE)
 ENTER = "\r"
+# A number that a person types where a key is compared with Enter.
+TYPED = "5{Enter}"
 # What a person tries.
 USUAL: dict[str, Sequence[float | str]] = {
     "key": (*"1234567890", ENTER),
@@ -64,13 +66,15 @@ def is_probe(change: Change) -> bool:
 
 def solved(probe: Change, trial: Trial) -> list[Change]:
     """Return the values of a channel at which comparisons turn, from the trial with an unusual one."""
+    probe = _as_read(probe, trial)
     roots = dict.fromkeys(_roots(probe, trial))
     ordered = sorted(roots)
     found = dict.fromkeys(chain.from_iterable(_near(probe, each, ordered) for each in roots))
     changes = [change for value in found if (change := _change(probe, value)) is not None]
     changes += [probe._replace(value=text) for text in _words(probe, trial)]
     if found or probe.table == "key":
-        changes += [probe._replace(value=each) for each in USUAL.get(probe.table, ())]
+        typed = (TYPED,) if ord(ENTER) in found else ()
+        changes += [probe._replace(value=each) for each in (*typed, *USUAL.get(probe.table, ()))]
     return list(dict.fromkeys(changes))[:MAX_VALUES]
 
 
@@ -83,6 +87,14 @@ def _roots(probe: Change, trial: Trial) -> Iterator[float]:
                 margin = plain(left) - plain(right)
                 other = right if is_traced(left) else left
                 yield value - margin / factor if isfinite(factor) else float(plain(other))
+
+
+def _as_read(probe: Change, trial: Trial) -> Change:
+    """Return an unusual change of a number as the program reads it: as a float, if it does so with its bits."""
+    sides = chain.from_iterable(chain.from_iterable(trial.comparisons.values()))
+    reads = (read for side in sides for read in form_of(side))
+    floats = (value for *channel, value in reads if (*channel,) == probe.channel and isinstance(value, float))
+    return probe._replace(value=next(floats, probe.value)) if probe.table == "netdata" else probe
 
 
 def _difference(left: Any, right: Any) -> Form:
@@ -251,7 +263,7 @@ def _change(change: Change, value: float) -> Change | None:
     if change.table == "key":
         known = value == ord(ENTER) or 32 <= value < 127
         return change._replace(value=chr(int(value))) if known and value == int(value) else None
-    if change.table in WHOLE:
+    if change.table in WHOLE and isinstance(change.value, int):
         return change._replace(value=int(value)) if value == int(value) else None
     if change.table == "analogue" and not 0.0 <= value <= 100.0:
         return None

@@ -143,8 +143,8 @@ def _tried(node: StateNode, reads: Collection[str]) -> str:
 def _value(change: Change) -> str:
     if change.table == "input":
         return "on" if change.value else "off"
-    if change.value == "\r":
-        return "Enter"
+    if change.table == "key":
+        return str(change).removeprefix("key ")
     return change.value if isinstance(change.value, str) else f"{change.value:.10g}"
 
 

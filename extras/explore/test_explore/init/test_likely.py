@@ -102,6 +102,71 @@ Loop
   End If
 End Loop
 """
+# A host orders a length, which the program reads as a float.
+ORDER = f"""\
+{RATES}
+Dim l As Float
+Loop
+  Pause NETINTEGER(10) > 0
+  NETINTEGER(10) = 0
+  l = NETFLOAT(11)
+  If l < 60 Or l > 1300 Then
+    Print "length refused"
+  Else
+    MOVER(0) = l / 20 : GO(0) : Pause IDLE(0)
+    Print "tube cut"
+  End If
+End Loop
+"""
+# A person types how many, and Enter.
+TYPED = f"""\
+{RATES}
+Dim k As Integer, n As Integer, i As Integer
+Loop
+  Print "how many"
+  n = 0 : k = 0
+  While k <> 13
+    k = INKEY
+    If k >= 48 And k <= 57 Then n = 10 * n + k - 48
+    Wait(20)
+  End While
+  For i = 1 To n
+    MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+    Print "bun glazed"
+  Next
+End Loop
+"""
+# A task that moves nothing and waits for no more than time leads another one, and says what comes of it.
+LEADER = f"""\
+{RATES}
+' IN2 lens too large
+Dim asked As Integer, done As Integer, waiting As Integer
+Run Spindle
+Loop
+  If INX(1) And Not waiting Then done = 0 : waiting = 1 : asked = 1
+  If waiting And done Then
+    waiting = 0
+    If INX(2) Then Print "lens scrapped" Else Print "lens edged"
+  End If
+  Wait(10)
+End Loop
+
+Task Spindle
+  Loop
+    Pause asked
+    asked = 0
+    MOVER(0) = 20 : GO(0) : Pause IDLE(0)
+    done = 1
+  End Loop
+End Task
+"""
+# A hood and a curtain that are good at 0, as their remarks say; both are looked at in a stroke.
+REMARKS = "' IN4 hood (0 = shut)   IN5 curtain, 1 = broken\n" + PROBE.replace(
+    "    If TasterUnten Then bad = 1\n",
+    "    If INX(4) Then bad = 1\n    If INX(5) Then bad = 1\n    If TasterUnten Then bad = 1\n",
+)
+# What says no more than a greeting does not work yet.
+GREETING = SHIFT.replace("Pause INX(0)", 'Print "SHIFT LINE READY"\nPause INX(0)')
 
 
 @pytest.mark.parametrize(
@@ -112,6 +177,11 @@ End Loop
         pytest.param(SPRINGS, "passed", "scrap", id="springs"),
         pytest.param(MARKS, "sheet cut", "nothing", id="marks"),
         pytest.param(PROBE, "four passed", "nothing", id="probe"),
+        pytest.param(ORDER, "tube cut", "length refused", id="order"),
+        pytest.param(TYPED, "bun glazed", "nothing", id="typed"),
+        pytest.param(LEADER, "lens edged", "lens scrapped", id="leader"),
+        pytest.param(REMARKS, "four passed", "nothing", id="remarks"),
+        pytest.param(GREETING, "cell passed", "nothing", id="greeting"),
     ],
 )
 def test_a_world_with_good_pieces(cell: Cell, text: str, good: str, bad: str) -> None:

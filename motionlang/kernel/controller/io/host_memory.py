@@ -26,8 +26,8 @@ Listener = Callable[[str, int, bool], None]
 
 # Area -> (first element, last element).
 AREAS = {"comms": (1, 99), "netdata": (0, 999)}
-# By how much the integer and the float of an element change with what a host writes; NaN for the other view of it.
-_FACTORS = {"comms": (nan, 1.0), "netdata": (1.0, nan)}
+# By how much the integer of an element changes with a number that a host writes as an integer; NaN if as a float.
+_WHOLE = {"comms": nan, "netdata": 1.0}
 # Their printed names.
 _CALLED = {"comms": "the comms array", "netdata": "NetData"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
@@ -64,7 +64,7 @@ class HostMemory:
         if self.observer is not None:
             self.observer(area, element)
         word = self._words[area][_checked(area, element)]
-        return reading(word, area, element, factor=_FACTORS[area][0]) if self.traces else word
+        return reading(word, area, element, factor=_WHOLE[area]) if self.traces else word
 
     def set_integer(self, area: str, element: int, value: int) -> None:
         self._set(self._words, area, element, value)
@@ -73,7 +73,7 @@ class HostMemory:
         if self.observer is not None:
             self.observer(area, element)
         value = self._floats[area][_checked(area, element)]
-        return reading(value, area, element, factor=_FACTORS[area][1]) if self.traces else value
+        return reading(value, area, element) if self.traces else value
 
     def set_real(self, area: str, element: int, value: float) -> None:
         if not abs(value) < _LARGEST_FLOAT:
