@@ -109,7 +109,7 @@ class Search:
         for each in transitions:
             tables = tables_of(each.visit.changed(each.causes))
             yield (
-                self._name(each.causes, (act.words for act in each.acts if not act.subject)),
+                self._name(each.causes, each.said),
                 settings(tables, each.visit.change_time + each.seconds + BEYOND),
             )
         for cycle, trial in exploration.variants():

@@ -11,7 +11,6 @@ import re
 from collections import defaultdict, deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import chain
 from typing import NamedTuple
 
 from motionlang.kernel.lang import Named
@@ -63,7 +62,7 @@ _WRONG = re.compile(
 )
 _RIGHT = re.compile(r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b", re.IGNORECASE)
 # What a program says when it stops, but for its start.
-STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
+_STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
 _ALARM = re.compile(
     r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer"
@@ -157,8 +156,7 @@ def cycles(
     moved = (node.first.moved for node in nodes.values() if not node.first.timeline)
     # The states that a person leaves, and those that only end by themselves.
     left = {state for state, node in nodes.items() if any(map(_is_done, node.transitions))}
-    begins = [_said(node.transitions) for node in nodes.values() if node.state is None]
-    stops = any(map(STOPPED.search, chain.from_iterable(begins)))
+    stops = any(each.stops for node in nodes.values() if node.state is None for each in node.transitions)
     known = _Known(statements, frozenset[int]().union(*moved), left, alarms, stops)
     found = [*_loops(nodes, known), *_runs(nodes, known), *_without_rest(work, known)]
     best: dict[object, MachineCycle] = {}
@@ -190,7 +188,7 @@ def _is_done(each: Transition) -> bool:
 
 def _is_right(each: Transition) -> bool:
     """True if a person does something, and nothing that is wrong follows."""
-    return not (each.is_by_itself or each.is_cut or wrong(_said([each])))
+    return not (each.is_by_itself or each.is_cut or each.faults)
 
 
 def _loops(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
@@ -244,13 +242,12 @@ def _loop(transitions: tuple[Transition, ...], node: StateNode, known: _Known) -
     if is_refused or (is_later and not first.is_later):
         return
     visit = first.visit if is_later else node.first
-    work = _work(transitions)
     if any(each.causes for each in transitions):
         lines = tuple(line for each in transitions for line in each.lines)
-        value = _value(transitions, visit, work - known.at_start, known)
-        outputs = _outputs(transitions)
-        value -= JOGGING * (not (_done(transitions) or outputs or _said(transitions)))
-        yield MachineCycle(transitions, visit, lines, work, _done(transitions), outputs, value)
+        work, done, outputs = _work(transitions), _done(transitions), _outputs(transitions)
+        value = _value(transitions, visit, work - known.at_start, done, outputs, known)
+        value -= JOGGING * (not (done or outputs or _said(transitions)))
+        yield MachineCycle(transitions, visit, lines, work, done, outputs, value)
 
 
 def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterator[MachineCycle]:
@@ -264,11 +261,11 @@ def _runs(nodes: Mapping[RestState | None, StateNode], known: _Known) -> Iterato
                 is_choice = any(one.table != "input" for one in each.causes)
                 path = (*(_others(node, each) if is_choice else ()), each)
                 lines = dict.fromkeys((*sorted(node.moved), *(line for one in path for line in one.lines)))
-                work, outputs = _work(path) | each.visit.moved, _outputs(path)
+                work, done, outputs = _work(path) | each.visit.moved, _done(path), _outputs(path)
                 changes = sum(change.table != "answer" for _, change in each.visit.timeline)
-                value = _value(path, each.visit, work - known.at_start, known)
+                value = _value(path, each.visit, work - known.at_start, done, outputs, known)
                 value -= CHANGE * changes + WHOLE_RUN
-                yield MachineCycle(path, each.visit, tuple(lines), work, _done(path), outputs, value)
+                yield MachineCycle(path, each.visit, tuple(lines), work, done, outputs, value)
 
 
 def _others(node: StateNode, last: Transition) -> Iterator[Transition]:
@@ -318,12 +315,17 @@ def _outputs(transitions: Iterable[Transition]) -> frozenset[int]:
 
 
 def _said(transitions: Iterable[Transition]) -> list[str]:
-    return [act.words for each in transitions for act in each.acts if not act.subject]
+    return [text for each in transitions for text in each.said]
 
 
 def is_wrong(said: str) -> bool:
     """True if words say that something is wrong, or that the machine has stopped."""
-    return bool(wrong([said]) or STOPPED.search(said))
+    return bool(wrong([said])) or has_stopped(said)
+
+
+def has_stopped(said: str) -> bool:
+    """True if words say that the machine has stopped."""
+    return bool(_STOPPED.search(said))
 
 
 def _praise(said: Iterable[str]) -> float:
@@ -351,13 +353,18 @@ def wrong(said: Iterable[str]) -> int:
     return sum(len(_WRONG.findall(each)) for each in said)
 
 
-def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[int], known: _Known) -> float:
+def _value(
+    transitions: tuple[Transition, ...],
+    visit: Visit,
+    work: frozenset[int],
+    done: frozenset[int],
+    outputs: frozenset[int],
+    known: _Known,
+) -> float:
     """Return the likelihood that a person names a cycle.
 
     An input that has one level in all of the cycle is no change that anybody makes.
     """
-    outputs = _outputs(transitions)
-    done = _done(transitions)
     value = MOVE * len(work & done) + PART * len(work - done)
     begun = frozenset[int]().union(*(each.begun for each in transitions))
     value += WHOLE * len(begun) / known.statements
@@ -372,11 +379,10 @@ def _value(transitions: tuple[Transition, ...], visit: Visit, work: frozenset[in
         value -= CHANGE * (len(made) - answers) + ANSWER * answers
         value -= TOGETHER * max(len(each.causes) - answers - 1, 0) + KEPT * (len(each.causes) - len(made))
         if each.is_by_itself and each.source in known.left:
-            own = _said([each])
-            value -= BY_ITSELF if wrong(own) or not (own or each.done) else LATER
+            value -= BY_ITSELF if each.faults or not (each.said or each.done) else LATER
         value -= CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = _said(transitions)
-    faults = wrong(said) + (0 if known.stops else len(list(filter(STOPPED.search, said))))
+    faults = sum(each.faults + (0 if known.stops else each.stops) for each in transitions)
     value -= WRONG * (1.0 + faults / len(said)) if faults else -_praise(said)
     return value + STATE - SWITCHED * len(outputs)

@@ -23,7 +23,7 @@ from motionlang.kernel.lang import Named, names_in_comments
 from motionlang.kernel.log import Printed, Switched
 from motionlang_explore.exploration import questions
 from motionlang_explore.exploration.changes import Channel, Timeline, given_in
-from motionlang_explore.exploration.cycles import alarms_in, is_wrong
+from motionlang_explore.exploration.cycles import alarms_in, has_stopped, is_wrong, wrong
 from motionlang_explore.exploration.likely import Likely
 from motionlang_explore.exploration.recorder import HANDLERS, Seen
 from motionlang_explore.exploration.rests import (
@@ -486,6 +486,8 @@ class Explorer:
         jogging = {each.line for each in part.moves if each.end == inf and each.line in resting}
         fails = is_stopped or any(each.ended == "fault" for each in part.moves)
         self._ask_in_moves(source, visit, causes, trial, since, until)
+        acts = self.acts(part)
+        said = tuple(act.words for act in acts if not act.subject)
         source.transitions.append(
             Transition(
                 source.state,
@@ -498,7 +500,10 @@ class Explorer:
                     each.line for each in part.moves if each.is_work and each.end < inf and not each.ended
                 ),
                 frozenset(each.channel for each in part.outputs if each.value),
-                self.acts(part),
+                acts,
+                said,
+                wrong(said),
+                sum(map(has_stopped, said)),
                 fails or bool(handled),
                 visit,
                 is_later,
