@@ -8,8 +8,8 @@ frame of Python. `Snapshot` walks these objects and stores the contents of each 
 elements and cells of closures. `restore` puts the contents back into the same objects. So events, subscribers, readers
 and waits, which refer to those objects, are right again, whatever they are made of.
 
-Log, tracks and the changes of a servo only grow. They are not stored: their classes name the attributes in `GROWING`,
-and go back with `cut` to the `extent` that a snapshot stores.
+Log, tracks, the changes of a servo and the entries that have taken effect only grow. They are not stored: their classes
+name the attributes in `GROWING`, and go back with `cut` to the `extent` that a snapshot stores.
 
 Invariants.
 - A run changes only attributes, elements and cells of objects that its scheduler reaches. None of them is a generator,
@@ -26,6 +26,7 @@ from __future__ import annotations
 from array import array
 from collections import deque
 from collections.abc import Callable, Collection
+from contextlib import suppress
 from enum import Enum
 from functools import cache, partial
 from io import StringIO
@@ -60,10 +61,11 @@ _ATOMS = (
 )  # fmt: skip
 # Most objects are of these, which are not even visited.
 _PLAIN = frozenset({int, float, str, bytes, bool, type(None), CodeType, ModuleType, type})
-# Modules of motion profiles, texts and trees, whose objects never change.
+# Modules of motion profiles, texts, trees, names and facts of loops, whose objects never change.
 CONSTANT = (
     "motionlang.kernel.planners.", "motionlang.kernel.source", "motionlang.kernel.lang.keyword",
-    "motionlang.kernel.mint.syntax.", "motionlang.kernel.mccl.resolve.", "lark.",
+    "motionlang.kernel.lang.variable_uses", "motionlang.kernel.mint.syntax.", "motionlang.kernel.mint.resolve.",
+    "motionlang.kernel.mccl.resolve.", "lark.",
 )  # fmt: skip
 # The debugger, which is not part of the run.
 OUTSIDE = ("motionlang.ide.debug.",)
@@ -153,13 +155,19 @@ class Snapshot:
         if growing:
             self._cuts.append(partial(x.cut, x.extent()))
         held = [] if base is None else list(self._elements(x, base))
-        full = [(slot, slot.__get__(x)) for slot in slots if slot.__name__ not in growing and _has(slot, x)]
         if slots:
-            empty = [slot for slot in slots if slot.__name__ not in growing and not _has(slot, x)]
+            full, empty = [], []
+            for slot in slots:
+                try:
+                    full.append((slot, slot.__get__(x)))
+                except AttributeError:
+                    empty.append(slot)
             self._store(_put_slots, x, (full, empty))
             held += [value for _, value in full]
         if hasattr(x, "__dict__"):
-            attributes = {name: value for name, value in vars(x).items() if name not in growing}
+            attributes = dict(vars(x))
+            for name in growing:
+                attributes.pop(name, None)
             self._store(_put_attributes, x, attributes)
             held += attributes.values()
         return held
@@ -185,16 +193,14 @@ def _layout(kind: type) -> tuple[type | None, tuple[_Slot, ...]] | None:
     if not module.startswith("motionlang.") and kind is not SimpleNamespace:
         raise TypeError(f"no snapshot can store a {kind.__qualname__}")
     base = next((each for each in _CONTAINERS if issubclass(kind, each)), None)
-    own = [vars(each).values() for each in kind.__mro__ if "__slots__" in vars(each)]
-    return base, tuple(each for values in own for each in values if isinstance(each, _Slot))
-
-
-def _has(slot: _Slot, x: object) -> bool:
-    try:
-        slot.__get__(x)
-    except AttributeError:
-        return False
-    return True
+    own = [vars(each) for each in kind.__mro__ if "__slots__" in vars(each)]
+    growing = getattr(kind, "GROWING", ())
+    return base, tuple(
+        each
+        for values in own
+        for name, each in values.items()
+        if isinstance(each, _Slot) and name not in growing
+    )
 
 
 def _contents_of_cell(cell: CellType) -> tuple[Any, ...]:
@@ -256,7 +262,7 @@ def _put_slots(x: Any, contents: tuple[list[tuple[_Slot, Any]], list[_Slot]]) ->
     for slot, value in full:
         slot.__set__(x, value)
     for slot in empty:
-        if _has(slot, x):
+        with suppress(AttributeError):
             slot.__delete__(x)
 
 

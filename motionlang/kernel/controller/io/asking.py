@@ -208,8 +208,7 @@ class Asking:
 
     def add(self, table: str, number: int, entry: Entry, since: float, responder: Responder) -> None:
         """Add an entry to the responder of its value, which is `responder` if it is the first one."""
-        stimulus = Stimulus(self._clock, table, entry, lambda: None, since)
-        self._controller.stimuli.all.append(stimulus)
+        stimulus = Stimulus(self._controller.stimuli, table, entry, lambda: None, since)
         delay, length = float(entry["asked"]), float(entry.get("for", INFINITY))  # type: ignore[arg-type]
         begin, times = since + float(entry.get("at", 0.0)), float(entry.get("times", INFINITY))  # type: ignore[arg-type]
         rule = AskedRule(stimulus, delay, begin, times, entry.get("level"), length)
@@ -379,7 +378,7 @@ class Asking:
         )
         if rule.length < INFINITY:
             rule.until = now + rule.length
-        rule.stimulus.count += 1
+        rule.stimulus.counts()
         responder.put(rule, value)
         responder.drop_outdated(responder.current())
         return False

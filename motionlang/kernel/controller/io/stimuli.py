@@ -18,13 +18,13 @@ Entry = Mapping[str, object]
 class Stimulus:
     """An entry of a table; `count` is how often it has taken effect."""
 
-    __slots__ = ("_act", "_begin", "_clock", "_every", "_times", "count", "entry", "table")
+    __slots__ = ("_act", "_all", "_begin", "_clock", "_every", "_times", "count", "entry", "table")
 
     def __init__(
-        self, clock: Clock, table: str, entry: Entry, act: Callable[[], object], since: float
+        self, stimuli: Stimuli, table: str, entry: Entry, act: Callable[[], object], since: float
     ) -> None:
         self.table, self.entry, self.count = table, entry, 0
-        self._clock, self._act = clock, act
+        self._all, self._clock, self._act = stimuli, stimuli.clock, act
         self._begin = since + entry.get("at", 0.0)  # type: ignore[operator]
         self._every: float | None = entry.get("every")  # type: ignore[assignment]
         self._times: float = entry.get("times", INFINITY)  # type: ignore[assignment]
@@ -36,7 +36,7 @@ class Stimulus:
         """
         now = self._clock.now
         if self._every is not None and self._begin < now:
-            self.count = int(min((now - self._begin) // self._every, self._times - 1))
+            self.counts(int(min((now - self._begin) // self._every, self._times - 1)))
         time = self._time()
         if at_once and time <= now:
             self.act()
@@ -45,10 +45,16 @@ class Stimulus:
 
     def act(self) -> None:
         """Take effect, and schedule the next time if there is one."""
-        self.count += 1
+        self.counts()
         self._act()
         if self._every is not None and self.count < self._times:
             self._clock.at(self._time(), self.act)
+
+    def counts(self, times: int = 1) -> None:
+        """Count that it takes effect so often."""
+        if times and not self.count:
+            self._all.taken.append((self.table, self.entry))
+        self.count += times
 
     def after(self, delay: float) -> None:
         """Take effect `delay` seconds from now; at once without a delay."""
@@ -83,11 +89,17 @@ class _Pulse:
 
 
 class Stimuli:
-    """All entries of a run that take effect by time or after an output."""
+    """The entries of a run that take effect by time or after an output.
+
+    `taken` are those that have, with their tables.
+    """
+
+    # The attributes that `cut` restores.
+    GROWING = ("taken",)
 
     def __init__(self, clock: Clock, outputs: Channels) -> None:
-        self._clock, self._outputs = clock, outputs
-        self.all: list[Stimulus] = []
+        self.clock, self._outputs = clock, outputs
+        self.taken: list[tuple[str, Entry]] = []
 
     def add(
         self,
@@ -99,8 +111,7 @@ class Stimuli:
         at_once: bool = False,
     ) -> None:
         """Call `act` whenever an entry takes effect; its times count from `since`."""
-        stimulus = Stimulus(self._clock, table, entry, act, since)
-        self.all.append(stimulus)
+        stimulus = Stimulus(self, table, entry, act, since)
         if "output" not in entry:
             stimulus.begin(at_once=at_once)
             return
@@ -128,14 +139,22 @@ class Stimuli:
         """Put `on` whenever an entry takes effect, and `off` when its `for` has passed since the last time."""
         length: float | None = entry.get("for")  # type: ignore[assignment]
         if length is None or entry.keys() & {"output", "every"}:
-            act = partial(put, on) if length is None else _Pulse(self._clock, put, on, off, length).begin
+            act = partial(put, on) if length is None else _Pulse(self.clock, put, on, off, length).begin
             self.add(table, entry, act, since, at_once=at_once)
             return
         self.add(table, entry, partial(put, on), since, at_once=at_once)
         at: float = entry.get("at", 0.0)  # type: ignore[assignment]
         # Scheduled now, so that it is over before another entry takes effect at the same time.
-        self._clock.at(max(since + at + length, self._clock.now), partial(put, off))
+        self.clock.at(max(since + at + length, self.clock.now), partial(put, off))
 
     def used(self, table: str) -> list[Entry]:
         """Return the entries of a table that have taken effect."""
-        return [each.entry for each in self.all if each.table == table and each.count]
+        return [entry for each, entry in self.taken if each == table]
+
+    def extent(self) -> int:
+        """Return the number of entries that have taken effect, for `cut`."""
+        return len(self.taken)
+
+    def cut(self, extent: int) -> None:
+        """Drop the entries that have taken effect since `extent` was taken."""
+        del self.taken[extent:]
