@@ -148,8 +148,7 @@ def acts_of(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
     homes = run.dialect.table().homes
     for move in log.moves:
         profile, is_homing = move.profile, homes(move.command)
-        words = described(move, is_homing)
-        if profile is None or not words:
+        if profile is None:
             continue
         cut = "" if move.ended == CONTINUED else move.ended
         is_whole = profile.duration < inf and not cut
@@ -158,6 +157,8 @@ def acts_of(run: Run, line: Callable[[int], int]) -> Iterator[ComparedAct]:
         if cut:
             place = round(move.to_user(profile.end), 3) + 0.0
             words = f"{move.command}, cut off at {place:.6g} ({cut})"
+        else:
+            words = described(move, is_homing)
         unit, subject = run.controller.axes[move.axis].scale.counts, f"axis {move.axis}"
         yield ComparedAct(
             move.start_time,

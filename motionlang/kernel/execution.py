@@ -112,18 +112,30 @@ def run(
         made = None
     if made is not None:
         _perform(result, made, until, pace=pace, outside=outside, begun=begun, keep_crash=keep_crash)
+        _report(result)
         result.notes += made.places.notes
     _finish(result, settings)
+    return result
+
+
+def go_on(
+    source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
+) -> Run:
+    """Continue a run from the state of its machine, which may have been put back; the result has no notes."""
+    result = Run(source, language, machine)
+    result.program = program
+    _perform(result, program, until)
+    machine.close_terminals()
+    result.time = machine.clock.now
     return result
 
 
 def run_on(
     source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
 ) -> Run:
-    """Continue a run from the state of its machine, which may have been put back; return another result."""
-    result = Run(source, language, machine)
-    result.program = program
-    _perform(result, program, until)
+    """Continue a run like `go_on`, with notes."""
+    result = go_on(source, language, program, machine, until)
+    _report(result)
     _finish(result, machine.settings)
     return result
 
@@ -149,6 +161,9 @@ def _perform(
             raise
         result.crash, result.status = error, "fault"
     result.diagnostics[:0] = result.machine.diagnostics
+
+
+def _report(result: Run) -> None:
     if result.machine.has_motors:
         from motionlang.kernel.tracks.history import notes
 

@@ -288,7 +288,7 @@ def changes_in_moves(
     motions: dict[int, TrialMotion] = {}
     part = trial.part(since, until)
     for each in part.motions:
-        if each.words and each.end - each.begin > SHORTEST_REST:
+        if each.end - each.begin > SHORTEST_REST:
             motions.setdefault(each.line, each)
     found = []
     for motion in motions.values():

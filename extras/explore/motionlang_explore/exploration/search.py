@@ -595,7 +595,7 @@ def _whole(moves: Sequence[TrialMotion]) -> Iterator[TrialMotion]:
         before = last.get(each.axis)
         is_phase = each.is_homing and before is not None and before.is_homing and before.line == each.line
         last[each.axis] = each
-        if each.words and not is_phase:
+        if each.profile is not None and not is_phase:
             yield each
 
 

@@ -15,9 +15,10 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.comparison.texts import described, plain
-from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
+from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, go_on, run
 from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
+from motionlang.kernel.planners import Profile
 from motionlang_explore.exploration.changes import Channel, Timeline, merged, tables_of
 from motionlang_explore.exploration.memory import Memory
 from motionlang_explore.exploration.recorder import (
@@ -70,19 +71,27 @@ SHORTEST_MOVE = 0.01
 class TrialMotion(NamedTuple):
     """A move of a trial: when it began, s, its axis and its line, and how it was cut off, as in the log.
 
-    `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `words` are its target
-    if it has one, and its highest speed, both in user units; none for an entry of the move buffer that moves nothing.
-    `is_short` is True if it took no longer than a move to where the axis is, since it had no way to go or was cut off.
+    `end` is infinite if it has no end of its own: a jog and a follower have none, a homing has. `is_short` is True if
+    it took no longer than a move to where the axis is, since it had no way to go or was cut off. `profile` is None for
+    an entry of the move buffer that moves nothing.
     """
 
     begin: float
     end: float
     axis: int
     line: int
-    words: str
     ended: str
     is_homing: bool
     is_short: bool
+    command: str
+    profile: Profile | None
+    scale: float
+    zero: float
+
+    @property
+    def words(self) -> str:
+        """Its target if it has one, and its highest speed, both in user units; "" if it moves nothing."""
+        return described(self, self.is_homing)
 
     @property
     def is_work(self) -> bool:
@@ -362,7 +371,7 @@ class Trials:
     def _run_on(self, machine: Machine, until: float) -> Run:
         program = self.program
         self.work += GO_ON
-        return self._noted(run_on(program.source, dialect(program.language), program, machine, until))
+        return self._noted(go_on(program.source, dialect(program.language), program, machine, until))
 
     def _noted(self, result: Run) -> Run:
         if result.status == "interrupted":
@@ -470,8 +479,19 @@ def _moves(result: Run) -> Iterator[TrialMotion]:
         is_homing = homes(move.command)
         if profile is not None and profile.duration < inf and (profile.shape not in ENDLESS or is_homing):
             end = move.start_time + profile.duration
-        words, is_short = described(move, is_homing), is_short_move(move)
-        yield TrialMotion(move.start_time, end, move.axis, move.line, words, move.ended, is_homing, is_short)
+        yield TrialMotion(
+            move.start_time,
+            end,
+            move.axis,
+            move.line,
+            move.ended,
+            is_homing,
+            is_short_move(move),
+            move.command,
+            profile,
+            move.scale,
+            move.zero,
+        )
 
 
 def is_short_move(move: LoggedMove) -> bool:
