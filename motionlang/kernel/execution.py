@@ -19,6 +19,7 @@ from motionlang.kernel.lang.scheduler import Outside, Scheduler, Stuck
 from motionlang.kernel.result import Run
 from motionlang.kernel.run_notes import (
     has_run_out,
+    hint_at_stuck,
     interrupted,
     open_nonvolatile,
     report_futile_waits,
@@ -111,8 +112,8 @@ def run(
     if nv is not None and made is not None and not open_nonvolatile(result, nv):
         made = None
     if made is not None:
-        _perform(result, made, until, pace=pace, outside=outside, begun=begun, keep_crash=keep_crash)
-        _report(result)
+        stuck = _perform(result, made, until, pace=pace, outside=outside, begun=begun, keep_crash=keep_crash)
+        _report(result, stuck)
         result.notes += made.places.notes
     _finish(result, settings)
     return result
@@ -134,8 +135,9 @@ def run_on(
     source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
 ) -> Run:
     """Continue a run like `go_on`, with notes."""
-    result = go_on(source, language, program, machine, until)
-    _report(result)
+    result = Run(source, language, machine)
+    result.program = program
+    _report(result, _perform(result, program, until))
     _finish(result, machine.settings)
     return result
 
@@ -149,21 +151,25 @@ def _perform(
     outside: Outside | None = None,
     begun: Callable[[Machine], None] | None = None,
     keep_crash: bool = False,
-) -> None:
+) -> Stuck | None:
+    stuck = None
     if begun is not None:
         begun(result.machine)
     result.diagnostics += compiled.warnings
     try:
         with StackSpace():
-            _execute(result, compiled, until, pace, outside)
+            stuck = _execute(result, compiled, until, pace, outside)
     except Exception as error:
         if not keep_crash:
             raise
         result.crash, result.status = error, "fault"
     result.diagnostics[:0] = result.machine.diagnostics
+    return stuck
 
 
-def _report(result: Run) -> None:
+def _report(result: Run, stuck: Stuck | None) -> None:
+    if stuck is not None:
+        hint_at_stuck(result, stuck)
     if result.machine.has_motors:
         from motionlang.kernel.tracks.history import notes
 
@@ -288,7 +294,8 @@ def _execute(
     until: float | None,
     pace: Callable[[float], None] | None,
     outside: Outside | None,
-) -> None:
+) -> Stuck | None:
+    """Run a program; return the wait that nothing can end if it ended there."""
     machine = result.machine
     settings, scheduler = machine.settings, machine.scheduler
     try:
@@ -330,6 +337,7 @@ def _execute(
         result.diagnostics.append(interrupted(result, scheduler, error))
     except Stuck as stuck:
         report_stuck(result, stuck)
+        return stuck
     except Exception as error:
         from motionlang.kernel.lang.run_errors import explain
 
@@ -343,3 +351,4 @@ def _execute(
             each for each in result.diagnostics if (each.code, each.line, each.column) != where
         ]
         result.diagnostics.append(diagnostic)
+    return None

@@ -324,13 +324,16 @@ def _was_fed(result: Run, task: Task, wait: Wait) -> bool:
     machine = result.machine
     is_called = any(each.kind == "handler" for each in machine.log.events.written())
     tables = result.dialect.driven_by(wait.why) or (lang.DRIVES if is_called else ())
-    changed = {each.channel for each in machine.log.inputs.written()}
-    named = set(wait.what) if wait.cause == "input" else changed
-    return ("input" in tables and bool(changed & named)) or any(map(machine.controller.stimuli.used, tables))
+    is_any = wait.cause != "input"
+    has_changed = any(is_any or each.channel in wait.what for each in machine.log.inputs.written())
+    return ("input" in tables and has_changed) or any(map(machine.controller.stimuli.used, tables))
 
 
 def report_stuck(result: Run, stuck: Stuck) -> None:
-    """Report a wait that nothing can end; the run ended there, with a time limit or without."""
+    """Report a wait that nothing can end; the run ended there, with a time limit or without.
+
+    `hint_at_stuck` adds the hint.
+    """
     line, column, length = result.dialect.locate(result.source, stuck.task.at)
     lost = _lost(result)
     if lost:
@@ -340,10 +343,15 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
     message = f"the program waits {stuck.wait.why}, which can never happen"
     _log_wait(result, stuck.task.at, stuck.wait.why)
     result.notes.append(f"line {line}: {message}")
-    others = _others(result, stuck.task)
-    for each in others:
+    for each in _others(result, stuck.task):
         result.notes.append(f"line {_line_of(result, each)}: {each.name} waits {_why(each)}")
+    result.status = "fault"
+    result.diagnostics.append(Diagnostic("never", message, line, column, length=length))
 
+
+def hint_at_stuck(result: Run, stuck: Stuck) -> None:
+    """Add what would end the wait to its report."""
+    others = _others(result, stuck.task)
     waits = [(stuck.task, stuck.wait), *((each, each.wait) for each in others if each.wait is not None)]
     hints = (
         find(result.dialect, result.program, result.machine, task, wait)
@@ -351,9 +359,8 @@ def report_stuck(result: Run, stuck: Stuck) -> None:
         for task, wait in waits
     )
     start = "start a move first, or add a machine file with the event that it waits for"
-    hint = next(filter(None, hints), _deadlock(result, others) or start)
-    result.status = "fault"
-    result.diagnostics.append(Diagnostic("never", message, line, column, length=length, hint=hint))
+    report = result.diagnostics[-1]
+    report.hint = report.hint or next(filter(None, hints), _deadlock(result, others) or start)
 
 
 def _others(result: Run, task: Task) -> list[Task]:
