@@ -211,20 +211,24 @@ class TrialRecorder(Hook):
         """Record a statement, and end the run if it only repeats."""
         self.count += 1
         assert self._machine is not None
-        scheduler = self._machine.scheduler
-        if scheduler is None or not scheduler.interrupts:
+        scheduler, log = self._machine.scheduler, self._machine.log
+        assert scheduler is not None
+        if not scheduler.interrupts:
             self._interrupted = -1
         elif self._interrupted < 0:
             self._interrupted = self._at
         self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
-        assert scheduler is not None
-        if (not self.count % CHECKED and self._is_cut()) or self._floods(time):
+        moves, prints = log.moves.past, log.prints.past
+        is_checked = moves >= self._started or prints >= self._printed
+        if (not self.count % CHECKED and self._is_cut()) or (
+            is_checked and self._floods(time, moves, prints)
+        ):
             scheduler.until = time
             return True
         if not self._is_recorded:
-            is_new = offset not in self.seen or self._machine.moves_made != self._moves
+            is_new = offset not in self.seen or moves != self._moves
             self.seen.add(offset)
-            self._moves = self._machine.moves_made
+            self._moves = moves
             if is_new or self.since < inf:
                 self._news = self.count
             if self.count - self._news < MAX_STATEMENTS:
@@ -234,27 +238,26 @@ class TrialRecorder(Hook):
         name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
         self.statements[name].append(Begun(time, offset, self._callers_of(task)))
         self._remember(scheduler.parent, time)
-        is_new = offset not in self._places or self._machine.moves_made != self._moves
+        is_new = offset not in self._places or moves != self._moves
         if is_new or time < self.last_change:
             self._places.add(offset)
             self.seen.add(offset)
-            self._moves, self._news = self._machine.moves_made, self.count
+            self._moves, self._news = moves, self.count
         self.is_idle = self.count - self._news >= MAX_REPEATED
         if self.count < MAX_STATEMENTS and not self.is_idle:
             return False
         scheduler.until = time
         return True
 
-    def _floods(self, time: float) -> bool:
+    def _floods(self, time: float, moves: int, prints: int) -> bool:
         """True if the program prints line after line, or starts moves without time to carry them out."""
-        assert self._machine is not None
-        log, is_soon = self._machine.log, False
-        if log.moves.past >= self._started:
+        is_soon = False
+        if moves >= self._started:
             is_soon = time - self._started_at < FLOOD
-            self._started, self._started_at = log.moves.past + MAX_STARTED, time
-        if log.prints.past >= self._printed:
+            self._started, self._started_at = moves + MAX_STARTED, time
+        if prints >= self._printed:
             is_soon = self.is_idle = is_soon or time - self._printed_at < FLOOD
-            self._printed, self._printed_at = log.prints.past + MAX_PRINTED, time
+            self._printed, self._printed_at = prints + MAX_PRINTED, time
         return is_soon
 
     def _remember_now(self) -> None:
@@ -290,17 +293,19 @@ class TrialRecorder(Hook):
         if self._is_recorded or now >= self.since:  # a wait compares after it has begun
             self._comparisons += 1
             self.comparisons[at, self._comparisons].append((left, right))
-            self.tested(left)
-            self.tested(right)
+            self._decides(at, left)
+            self._decides(at, right)
             if isinstance(left, (int, float)) and isinstance(right, (int, float)):
                 self.seen.add((at, self._comparisons, (left > right) - (left < right)))
 
     def tested(self, number: object) -> None:
         assert self._machine is not None
-        if self._machine.controller.inputs.is_supposed:
-            return  # a hint asks what would end a wait
+        if not self._machine.controller.inputs.is_supposed:  # no hint asks what would end a wait
+            self._decides(self._place(), number)
+
+    def _decides(self, at: int, number: object) -> None:
         for table, channel, _ in form_of(number):
-            self.decided[self._place()].add((table, channel))
+            self.decided[at].add((table, channel))
 
 
 def _nothing() -> None:

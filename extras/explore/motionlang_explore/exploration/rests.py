@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, S
 from functools import reduce
 from itertools import accumulate, chain, pairwise
 from math import inf
-from operator import itemgetter
+from operator import attrgetter, itemgetter
 from typing import NamedTuple
 
 from motionlang.kernel.lang import Structure
@@ -169,11 +169,11 @@ def _reads(rest: Rest, since: float, trial: Trial, beside: frozenset[int]) -> di
     found: dict[int, list[Channel]] = {}
     for at, channels in trial.readings.items():
         begin = since if at in places else rest.begin if at in beside else inf
-        read = [
-            channel
-            for channel, spans in channels.items()
-            if any(begin - EXACT <= each.last and each.first < rest.end for each in spans)
-        ]
+        read = []
+        for channel, spans in channels.items():
+            k = bisect_left(spans, begin - EXACT, key=attrgetter("last"))
+            if k < len(spans) and spans[k].first < rest.end:
+                read.append(channel)
         if read:
             found[at] = read
     return found
@@ -181,10 +181,10 @@ def _reads(rest: Rest, since: float, trial: Trial, beside: frozenset[int]) -> di
 
 def _activity(task: str, trial: Trial) -> tuple[float, float]:
     """Return when a task is known to run first and last; the last is infinite if it waits then or loops."""
-    begun = [each.time for each in trial.statements.get(task, ())]
+    begun = trial.statements.get(task, ())
     waits = [each for each in trial.waits if each.task == task]
-    first = min([*begun[:1], *(each.since for each in waits)])
-    last = max([*begun[-1:], *(each.until for each in waits)])
+    first = min([*(each.time for each in begun[:1]), *(each.since for each in waits)])
+    last = max([*(each.time for each in begun[-1:]), *(each.until for each in waits)])
     return first, last if trial.has_ended or last < trial.time - BODY else inf
 
 
@@ -297,9 +297,10 @@ def _stretches(
     Where no statement begins for long, and no wait, the interpreter has skipped passes of a loop.
     """
     stretch: _Stretch | None = None
-    time = 0.0
+    time, before = 0.0, bisect_right(starts, 0.0)
     for begun in statements:
-        has_moved = bisect_right(starts, begun.time) > bisect_right(starts, time)
+        moved = bisect_right(starts, begun.time)
+        has_moved, before = moved > before, moved
         is_behind_skip = begun.time - time > SHORTEST_REST and bisect_left(waits, time) == bisect_left(
             waits, begun.time
         )
