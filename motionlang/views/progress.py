@@ -13,7 +13,7 @@ from time import monotonic
 from typing import TYPE_CHECKING, TextIO
 
 from motionlang.views.formatting import clock_time
-from motionlang.views.terminal import is_terminal, wants_colour, width_of
+from motionlang.views.terminal import is_terminal, printable, wants_colour, width_of
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -29,23 +29,25 @@ RUN_PATIENCE, RUN_PERIOD = 0.5, 0.2
 
 
 class Progress:
-    """A progress line; call it with the completed fraction, 0 to 1."""
+    """A progress line; call it with the completed fraction, 0 to 1, and what is done now."""
 
     def __init__(self, stream: TextIO, label: str) -> None:
         self._stream, self._label = stream, label
         self._next = monotonic() + PATIENCE if is_shown(stream) else inf
         self._bar: Bar | None = None
 
-    def __call__(self, fraction: float) -> None:
+    def __call__(self, fraction: float, doing: str = "") -> None:
         if monotonic() < self._next:
             return
         self._next = monotonic() + PERIOD
         if self._bar is None:
             self._bar = _bar(self._stream, self._label)
-        self._bar.update(self._bar.task_ids[0], completed=fraction, refresh=True)
+        label = f"{self._label}: {printable(doing)}" if doing else self._label
+        self._bar.update(self._bar.task_ids[0], description=label, completed=fraction, refresh=True)
 
     def done(self) -> None:
-        """Remove the line."""
+        """Remove the line for good."""
+        self._next = inf
         if self._bar is not None:
             self._bar.stop()
 

@@ -54,6 +54,17 @@ def test_a_bar_says_how_far_it_is_and_goes_away() -> None:
     assert text.endswith("\x1b[?25h" + HOME)
 
 
+def test_a_bar_says_what_is_done_now() -> None:
+    terminal = Terminal()
+    bar = Progress(terminal, "x.prg")
+    bar(0.0)
+    bar(0.5, "key \x1b")
+    bar.done()
+    bar(1.0, "more")
+    assert [re.sub(r"[━╸╺ ]+", " ", line) for line in terminal.words()] == [
+        "x.prg 0%", "x.prg 0%", "x.prg: key ␛ 50%", "x.prg: key ␛ 50%"]  # fmt: skip
+
+
 @pytest.mark.parametrize("stream", [io.StringIO(), None])
 def test_nothing_is_written_where_nobody_reads_or_before_it_takes_a_while(
     stream: io.StringIO | None, monkeypatch: pytest.MonkeyPatch

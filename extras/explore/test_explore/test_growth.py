@@ -55,7 +55,11 @@ def _explore(name: str, text: str) -> None:
     program = language.program(Source(name, text), is_debug=True)
     made = program_map(program, language)
     shares: list[float] = []
-    found = explore(program, used=lambda: float(len(shares) >= TRIALS), progress=shares.append)
+    found = explore(
+        program,
+        used=lambda: float(len(shares) >= TRIALS),
+        progress=lambda share, playing: shares.append(share),
+    )
     names = ReaderNames(made.channels, made.axes, made.variables)
     made.behaviour = behaviour_of(found, made.structure, names, made.unreached)
     render(made, width=80)

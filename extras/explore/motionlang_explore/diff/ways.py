@@ -52,6 +52,7 @@ from motionlang_explore.exploration import (
     Exploration,
     MachineCycle,
     PlayedTimeline,
+    Progress,
     Timeline,
     Trial,
     Visit,
@@ -298,7 +299,7 @@ def compared_ways(
     work: float = PLAYED,
     *,
     is_enough: Callable[[WaysCompared], bool] = lambda found: False,
-    progress: Callable[[float], object] = lambda share: None,
+    progress: Progress = lambda share, playing: None,
 ) -> WaysCompared:
     """Compare two explored programs in all ways that either exploration has found, by so much work.
 
@@ -312,12 +313,12 @@ def compared_ways(
     first.names, second.names = _task_names(a.program.structure, b.program.structure)
     begun = a.work + b.work
     found = WaysCompared(a, b)
+    for one in (a, b):
+        one.show(lambda words: progress(min((a.work + b.work - begun) / work, 1.0), words))
     ways = all_ways(first, second)
     comparison = _Comparison(found, first, second)
     for k, way in enumerate(ways):
-        spent = a.work + b.work - begun
-        progress(min(spent / work, 1.0))
-        if (spent >= work and k >= LEAST) or is_enough(found):
+        if (a.work + b.work - begun >= work and k >= LEAST) or is_enough(found):
             found.left = ways[k:]
             break
         comparison.take(way)

@@ -65,6 +65,7 @@ from motionlang_explore.exploration.rests import (
     statements_of,
     without_memory,
 )
+from motionlang_explore.exploration.search import Progress
 from motionlang_explore.exploration.simple import LENGTH
 from motionlang_explore.exploration.states import (
     Effect,
@@ -106,6 +107,7 @@ __all__ = [
     "Interrupted",
     "MachineCycle",
     "PlayedTimeline",
+    "Progress",
     "RestState",
     "StateNode",
     "Timeline",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf
 from typing import NamedTuple
@@ -171,6 +171,10 @@ class Exploration:
         channels = enumerate(sorted(self.last.controller.encoders), 1)
         made = [{**encoder_entry(each), "velocity": TURNING * k} for k, each in channels]
         return {"encoder": made} if made and "encoder" not in self.settings else {}
+
+    def show(self, tell: Callable[[str], object]) -> None:
+        """Call a function with what is played from now on, in words."""
+        self._explorer.trials.tell = tell
 
     def observe(self) -> None:
         """Let all later plays record how conditions come out."""

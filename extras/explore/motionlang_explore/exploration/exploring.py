@@ -11,7 +11,7 @@ from motionlang_explore.exploration.changes import (
 )
 from motionlang_explore.exploration.exploration import Exploration
 from motionlang_explore.exploration.further import goes_further
-from motionlang_explore.exploration.search import Explorer
+from motionlang_explore.exploration.search import Explorer, Progress
 from motionlang_explore.exploration.simple import better_world
 from motionlang_explore.exploration.trials import (
     SEARCH,
@@ -32,14 +32,14 @@ def explore(
     *,
     seconds: float = SECONDS,
     used: Callable[[], float] = lambda: 0.0,
-    progress: Callable[[float], object] = lambda share: None,
+    progress: Progress = lambda share, playing: None,
     keeps: bool = False,
 ) -> Exploration:
     """Explore a program, a debug build, in a world with the settings that a person gave.
 
     It does the work of so many `seconds` of an ordinary core. `used` returns the share of the user's time that is over,
-    by which it ends. `progress` is called with the share of the work. Raises Interrupted, with the run, at Ctrl-C; with
-    `keeps` the first one ends the search, and `interrupted` has that run.
+    by which it ends. `progress` is called with the share of the work and what is played. Raises Interrupted, with the
+    run, at Ctrl-C; with `keeps` the first one ends the search, and `interrupted` has that run.
     """
     work = seconds * SECOND
     explorer = Explorer(program, machine or {}, work, used, progress)
@@ -57,7 +57,7 @@ def explore(
         if not keeps:
             raise
         found = Exploration(explorer, at.result)
-    explorer.progress, explorer.trials.limit = bool, inf  # what is asked of the result is no part of it
+    explorer.trials.limit = inf  # what is asked of the result is no part of it
     return found
 
 

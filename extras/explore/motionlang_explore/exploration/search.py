@@ -70,6 +70,10 @@ MAX_REMEMBERED = 5
 LATE = 3
 
 
+# Called with the share of the work that is done, and what is played.
+Progress = Callable[[float, str], object]
+
+
 class Explorer:
     """The exploration of a program in a world; `machine` are the settings that a person gave."""
 
@@ -79,15 +83,16 @@ class Explorer:
         machine: Mapping[str, object],
         whole: float,
         used: Callable[[], float] = lambda: 0.0,
-        progress: Callable[[float], object] = lambda share: None,
+        progress: Progress = lambda share, playing: None,
     ) -> None:
         kept = {key: value for key, value in machine.items() if not key.startswith("run.")}
         target = program.target
         if target.model:
             kept.setdefault("controller.model", target.model)
         self.switches = FoundSwitches(kept)
-        self.progress, self.whole = progress, whole
+        self.whole = whole
         self.trials = Trials(program, kept, whole, used)
+        self.trials.tell = lambda words: progress(min(self.trials.work / max(whole, 1.0), 1.0), words)
         self.trials.limit = whole
         self.program = program = self.trials.program
         self.switches.turn(encoders_read(program.structure))
@@ -177,7 +182,6 @@ class Explorer:
             return not has_switches or is_settled(trial)
 
         while True:
-            self.progress(min(self.trials.work / max(self.whole, 1.0), 1.0))
             trial = self.trials.play(timeline, since, is_enough)
             for at, found in trial.decided.items():
                 self.decided[at] |= found

@@ -19,7 +19,7 @@ from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, g
 from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 from motionlang.kernel.planners import Profile
-from motionlang_explore.exploration.changes import Channel, Timeline, merged, tables_of
+from motionlang_explore.exploration.changes import Channel, Timeline, in_words, merged, tables_of
 from motionlang_explore.exploration.memory import Memory
 from motionlang_explore.exploration.recorder import (
     Begun,
@@ -192,12 +192,16 @@ def nothing_used() -> float:
     return 0.0
 
 
+def untold(words: str) -> None:
+    """Tell nobody what is played."""
+
+
 class Trials:
     """Runs of one program, a debug build; `base` are the settings that no change replaces.
 
     They are over when they have done so much work as `most`: the statements that they have begun, and what runs, rounds
     and readings cost. The work is the same on every machine. `used` is the share of the user's time that is over: a
-    run that is still going on when all of it is ends there.
+    run that is still going on when all of it is ends there. `tell` is called with what is played.
     """
 
     def __init__(
@@ -209,6 +213,7 @@ class Trials:
     ) -> None:
         self.program, self.base, self.most = program.on(base), dict(base), most
         self._used = used
+        self.tell: Callable[[str], object] = untold
         # The work at which a run ends that is still going on.
         self.limit = inf
         self.memory = Memory(self.program.structure)
@@ -228,11 +233,11 @@ class Trials:
         return {
             name: value
             for name, value in vars(self).items()
-            if name not in ("_used", "memory", "last", "_start", "_power_up")
+            if name not in ("_used", "tell", "memory", "last", "_start", "_power_up")
         }
 
     def __setstate__(self, state: dict[str, object]) -> None:
-        vars(self).update(state, _used=nothing_used)
+        vars(self).update(state, _used=nothing_used, tell=untold)
         self.memory = Memory(self.program.structure)
         self._forget()
 
@@ -278,6 +283,8 @@ class Trials:
 
         It ends earlier if `is_settled` is true of what it has done so far.
         """
+        # No more than three changes come at once.
+        self.tell(in_words(each for at, each in timeline[-3:] if at == timeline[-1][0]) or "start")
         self.count += 1
         last = max((since, *(at + each.moment.times * each.moment.every for at, each in timeline)))
         horizons = iter(HORIZONS)
@@ -380,6 +387,7 @@ class Trials:
 
     def play_in(self, tables: Mapping[str, object], until: float) -> Trial:
         """Run the program with some tables of the machine file up to a time, or as long as a trial may be."""
+        self.tell("a world")
         self.count += 1
         recorder = self._recorder(0.0)
         self.last = self._run(tables, until, recorder)
@@ -394,6 +402,7 @@ class Trials:
         Without a time the run ends where that of a machine file does. Returns also what has begun, and when each
         channel was read, in the order in which they were read first.
         """
+        self.tell("a world")
         self.count += 1
         recorder = self._recorder(inf, is_plain=True)
         result = self._run(tables, until, recorder)

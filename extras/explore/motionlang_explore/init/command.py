@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import unified_diff
 from errno import ENOENT
+from functools import partial
 from typing import TYPE_CHECKING, ClassVar, TypeVar
 
 from motionlang.cli.command import Refused, WrongOption, argument, flag, option
@@ -323,7 +324,9 @@ examples:
         number = _asked_cycle(exploration) if self.cycle is None else self.cycle
         if number is not None and number > len(found):
             raise WrongOption(f"--cycle {number}: {count_of(len(found), 'cycle')} found")
-        return draft(exploration, None if number is None else found[number - 1], self.until, given)
+        with playing(program.source.name) as progress:
+            exploration.show(partial(progress, 1.0))
+            return draft(exploration, None if number is None else found[number - 1], self.until, given)
 
 
 def _missing(file: str) -> Diagnostic:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from motionlang.commands.channels import Channel, channels, only_named, order_of
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
-from motionlang_explore.exploration import SECONDS, Exploration, explore, without_world
+from motionlang_explore.exploration import SECONDS, Exploration, Progress, explore, without_world
 from motionlang_explore.map.axes import AxisMap, axes
 from motionlang_explore.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang_explore.map.names import ReaderNames
@@ -63,7 +63,7 @@ def map_of_machine(
     settings: Mapping[str, object],
     *,
     overrides: Mapping[str, float | str] | None = None,
-    progress: Callable[[float], object] = lambda share: None,
+    progress: Progress = lambda share, playing: None,
     keeps: bool = False,
     seconds: float = SECONDS,
     used: Callable[[], float] = lambda: 0.0,
@@ -71,8 +71,8 @@ def map_of_machine(
     """Return the map of a program with what the machine does when it is played.
 
     `settings` are those of its machine file; inputs, answers and the like are found by the exploration. `progress` is
-    called with the share of the trials; `keeps`, `seconds` and `used` are those of `explore`. Raises ProgramError with
-    all errors of the text, or for an override that names nothing.
+    called with the share of the trials and what is played; `keeps`, `seconds` and `used` are those of `explore`. Raises
+    ProgramError with all errors of the text, or for an override that names nothing.
     """
     kept = without_world(settings)
     program = language.program(source, kept, is_debug=True)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel import Source, dialect_of, run
+from motionlang.kernel import Source, dialect, dialect_of, run
 from motionlang_explore.exploration import Interrupted, explore
 from test_explore.exploration.text import exploration_text
 
@@ -56,6 +56,27 @@ def test_an_exploration_ends_when_its_work_is_done() -> None:
     assert len(little.nodes) < len(explore(program, seconds=1.0).nodes)
 
 
+def test_an_exploration_says_what_it_plays() -> None:
+    program = dialect("mint").program(
+        Source("gate.mnt", "Loop\nPause INX(1)\nMOVER(0) = 5 : GO(0)\nPause Not INX(1)\nEnd Loop\n"),
+        is_debug=True,
+    )
+    said: dict[str, None] = {}
+    shares: list[float] = []
+
+    def progress(share: float, playing: str) -> None:
+        shares.append(share)
+        said[playing] = None
+
+    found = explore(program, progress=progress)
+    assert {"start", "input 1 on", "input 1 off", "a world"} <= said.keys()
+    assert shares == sorted(shares)
+    said.clear()
+    found.show(lambda playing: said.update({playing: None}))
+    found.turns(found.cycles[0], 2)
+    assert list(said) == ["start", "input 1 on", "input 1 off"]
+
+
 def test_ctrl_c_keeps_what_was_found() -> None:
     path = Path(__file__).parent / "timeout.mnt"
     language = dialect_of(path.name)
@@ -63,7 +84,7 @@ def test_ctrl_c_keeps_what_was_found() -> None:
     program = language.program(Source.read(path), is_debug=True)
     shares: list[float] = []
 
-    def interrupt(share: float) -> None:
+    def interrupt(share: float, playing: str) -> None:
         shares.append(share)
         if len(shares) == 3:
             raise Interrupted(run(language.program(Source("a.mnt", "WAIT = 10"))))
