@@ -167,10 +167,10 @@ class Improver:
     """Improves the cycle of a program in its own `world`.
 
     `others` are its scenarios. `cycle` is the name of the cycle as a quantity; without one it is the cycle of the run,
-    or the whole run if that ends and repeats nothing. `progress` is called with the number of runs so far.
-    `machine` is the path of the machine file, for messages. `hold` are the addresses or names of numbers that stay, in
-    addition to those of the machine file and of comments; `also` those of the process that are tried all the same.
-    `allow` has the events that the run may have.
+    or the whole run if that ends and repeats nothing. `progress` is called with the number of runs so far, and
+    with what is played of the ways of the program. `machine` is the path of the machine file, for messages. `hold` are
+    the addresses or names of numbers that stay, in addition to those of the machine file and of comments; `also` those
+    of the process that are tried all the same. `allow` has the events that the run may have.
     """
 
     def __init__(
@@ -182,7 +182,7 @@ class Improver:
         *,
         cycle: str = "",
         until: float | None = None,
-        progress: Callable[[int], object] = lambda runs: None,
+        progress: Callable[[int, str], object] = lambda runs, playing: None,
         machine: str | None = None,
         hold: Iterable[str] = (),
         also: Iterable[str] = (),
@@ -296,7 +296,11 @@ class Improver:
         sets = "" if chosen or refused else _what_sets(self._base)
         settings = self.world.settings
         program = self.language.program(self.source, settings, is_debug=True) if chosen else None
-        ways = played_ways(program, values, settings, self._tasks) if program is not None else None
+        ways = None
+        if program is not None:
+            ways = played_ways(
+                program, values, settings, self._tasks, lambda _, playing: self._progress(self._runs, playing)
+            )
         return Improvement(
             self.source, patched, self._title, self._where, self.before, after, chosen, result, limits, self.held,
             self.skipped, notes, refused, ways, sets, self._runs,
@@ -759,7 +763,7 @@ class Improver:
 
     def _count(self) -> None:
         self._runs += 1
-        self._progress(self._runs)
+        self._progress(self._runs, "")
 
     def _starts(self, result: Run) -> Sequence[float]:
         return cycle_times(result, self.cycle) if self.cycle else ()

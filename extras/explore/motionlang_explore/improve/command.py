@@ -119,7 +119,7 @@ examples:
                 dialect=language,
                 cycle=self.cycle or "",
                 until=self.until,
-                progress=lambda runs: progress(min(runs / RUNS, 1.0)),
+                progress=lambda runs, playing: progress(min(runs / RUNS, 1.0), playing),
                 machine=self.machine_path(),
                 hold=self.hold,
                 also=self.also,

@@ -24,6 +24,7 @@ from motionlang_explore.exploration import (
     HORIZON,
     SECOND,
     Exploration,
+    Progress,
     Timeline,
     explore,
     without_world,
@@ -81,18 +82,22 @@ def _timeless(act: ComparedAct) -> ComparedAct:
 
 
 def played_ways(
-    program: Program, values: Mapping[str, float | str], settings: Mapping[str, object], tasks: Tasks
+    program: Program,
+    values: Mapping[str, float | str],
+    settings: Mapping[str, object],
+    tasks: Tasks,
+    progress: Progress,
 ) -> PlayedWays:
     """Play a program, a debug build, with other values in the ways that an exploration finds; return what differs.
 
     `tasks` are those of the program.
     """
     own = without_world(settings)
-    a = explore(program, own, seconds=EXPLORED)
-    b = explore(program.with_values(values), {**a.switches.settings, **own}, seconds=0.0)
+    a = explore(program, own, seconds=EXPLORED, progress=progress)
+    b = explore(program.with_values(values), {**a.switches.settings, **own}, seconds=0.0, progress=progress)
     first = _WithoutTimes(a, tasks)
     second = _WithoutTimes(b, tasks, first)
-    found = compared_ways(first, second, PLAYED * SECOND)
+    found = compared_ways(first, second, PLAYED * SECOND, progress=progress)
     names = input_names(a)
     texts: dict[bool, list[str]] = {True: [], False: []}
     for each in (*found.differences, *found.behind):
