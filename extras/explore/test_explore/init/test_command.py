@@ -575,6 +575,8 @@ def test_a_machine_that_only_rejects_is_no_success(cell: Cell) -> None:
         "first, remove its guess = true, and let motionlang init old.mnt --update search the rest\n"
     )
     assert cell("verify", "old.mnt").status == 0
+    line = cell("map", "old.mnt").out.splitlines()[3]
+    assert line.startswith("no good piece was found; the best cycle prints 'reject': ")
 
 
 def test_a_hyphen_of_a_word_is_no_minus() -> None:

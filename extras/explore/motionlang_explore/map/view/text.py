@@ -36,7 +36,7 @@ def headline(made: ProgramMap) -> str:
         parts += [
             count_of(len(made.behaviour.states) - 1, "state"),
             f"played {count_of(exploration.trials, 'time')}"
-            + ("" if exploration.is_whole else ", more states are possible"),
+            + ("" if exploration.is_whole else " and not to the end: --seconds 60 plays on"),
         ]
     return f"{made.source.name}: {', '.join(parts)}"
 
@@ -73,12 +73,14 @@ def cycle_line(behaviour: MachineBehaviour) -> str:
     run, missed = behaviour.run, behaviour.exploration.missed_moves
     lines = f"line{'s' if len(missed) > 1 else ''} {ranges(missed)}"
     others = f"; moves of {lines} were not played, so a good piece may take another cycle" if missed else ""
+    fault = behaviour.exploration.fault_of(run)
+    bad = f"no good piece was found; the best cycle {fault}: " if fault else ""
     if run.cycle is not None:
         then = f"; then the program ends: {_then(behaviour.ending)}" if behaviour.ending else ""
-        return f"{run.cycle}{then}{others}"
+        return f"{bad}{run.cycle}{then}{others}"
     if not len(run.machine.log.moves):
         return f"none: no axis moved{others}"
-    return f"none; one run takes {run.time:.5g} s{others}"
+    return f"{bad}none; one run takes {run.time:.5g} s{others}"
 
 
 def world_lines(behaviour: MachineBehaviour) -> Iterator[str]:
@@ -99,8 +101,6 @@ def _screen(made: ProgramMap, behaviour: MachineBehaviour, width: int, colour: b
     never = tables.unreached(made)
     yield from ["", *_first(never.lines(width, colour=colour), MAX_NEVER + 3)]
     yield ""
-    if not behaviour.exploration.is_whole:
-        yield "not all was played, so more may happen: --seconds 60 plays on"
     yield "--all shows all of this, the states, handlers, channels, axes, units and variables"
 
 
