@@ -66,7 +66,7 @@ _STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
 # Words in the name of an output that is switched on when something is wrong.
 _ALARM = re.compile(
     r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer"
-    r"|st(?:oe|ö)rung|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe|d[ée]faut|rebut|rouge|mauvais|klaxon",
+    r"|st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe|d[ée]faut|rebut|rouge|mauvais|klaxon",
     re.IGNORECASE,
 )
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
