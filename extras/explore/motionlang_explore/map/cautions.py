@@ -88,13 +88,17 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
         return
     path = [*ways[first.source], first]
     begin = next((k for k, each in enumerate(path) if without_memory(each.source) in back), 0)
-    steps = [" and ".join(map(names.of, each.causes)) for each in path[begin:] if each.causes]
-    what = ", then ".join(steps) or "power-up"
     given = entries(exploration.world.settings, "input")
     always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
-    held = [int(one.number) for each in path for one in each.causes if one.subject in always]
-    why = f"; input{'s' if len(set(held)) > 1 else ''} {ranges(set(held))} may stay on" if held else ""
-    changed = {one.subject for each in path for one in each.causes}
+    follows = {f"input {each['channel']}" for each in given if each.keys() & {"output", "axis"}}
+    made = [[one for one in each.causes if not one.moment.line] for each in path]
+    # What is left on, or follows an output, starts nothing.
+    starting = ([one for one in some if one.subject not in always | follows] for some in made[begin:])
+    steps = [" and ".join(map(names.of, some)) for some in starting if some]
+    what = ", then ".join(steps) or "power-up"
+    held = dict.fromkeys(one.subject for some in made for one in some if one.subject in always and one.value)
+    why = f" with {', '.join(names[each] for each in held)} on" if held else ""
+    changed = {one.subject for some in made for one in some}
     others = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
     why += f"; played with {', '.join(others)} on" if others else ""
     yield CautionRow(
