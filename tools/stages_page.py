@@ -67,10 +67,10 @@ The parser builds nodes of `kernel/mint/syntax/nodes.py`. The base class is `ker
 
 ## Steps
 
-`kernel/mint/check/` finds what each name refers to and reports every mistake. `kernel/mint/steps/` turns the checked
-tree into steps (`kernel/lang/steps.py`), a list that `motionlang check FILE --steps` prints. What a step does is a
-function of the variables of the call. Loading a move is a `try`: while the move buffer of the axis is full, the step
-waits and is done again. It pays for the statement when it is done.
+`kernel/mint/resolve/` finds what each name refers to. The check (`kernel/mint/steps/check.py`) reports every mistake.
+`kernel/mint/steps/` turns the checked tree into steps (`kernel/lang/steps.py`), a list that `motionlang check FILE
+--steps` prints. What a step does is a function of the variables of the call. Loading a move is a `try`: while the move
+buffer of the axis is full, the step waits and is done again. It pays for the statement when it is done.
 
 ```text
 {code}

@@ -11,13 +11,13 @@ from motionlang.kernel.lang.debugging import Variable
 from motionlang.kernel.lang.dialect import Interactive
 from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.mint.check.check import check_line
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.program import MintProgram
 from motionlang.kernel.mint.resolve.overrides import override, override_if_there
 from motionlang.kernel.mint.resolve.symbols import PromptSymbols
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
+from motionlang.kernel.mint.steps.check import check_line
 from motionlang.kernel.mint.steps.inspection import variable
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter

@@ -15,14 +15,13 @@ from motionlang.kernel.lang.step_graph import StepGraph
 from motionlang.kernel.lang.steps import Steps
 from motionlang.kernel.lang.structure import Structure
 from motionlang.kernel.lang.task import Task
-from motionlang.kernel.mint.check.body import CheckContext as Declared
-from motionlang.kernel.mint.check.check import CheckedModule, declared, examined
 from motionlang.kernel.mint.check.error_recovery import with_syntax_errors
 from motionlang.kernel.mint.check.model import check_model, written_for
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
+from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
@@ -30,6 +29,7 @@ from motionlang.kernel.mint.resolve.statements import FactsReader
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
+from motionlang.kernel.mint.steps.check import CheckedModule, declared, examined
 from motionlang.kernel.mint.steps.inspection import Inspection
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter, stops
@@ -133,7 +133,7 @@ class MintProgram(Program):
         return placed(self, {**self.values, **given})
 
     @cached_property
-    def _declared(self) -> Declared:
+    def _declared(self) -> Symbols:
         with StackSpace():
             return declared(self._readable, self.settings)
 
@@ -141,7 +141,7 @@ class MintProgram(Program):
     def checked(self) -> CheckedModule:
         """The names and the problems of the readable lines."""
         with StackSpace():
-            found = examined(self._readable, self._declared)
+            found = examined(self._declared, self.settings)
             if not self._readable.errors and not found.problems.has_errors:
                 warn_of_short_ramps(self._facts.statements.values(), found.problems)
             return found
@@ -208,7 +208,7 @@ class MintProgram(Program):
         from motionlang.kernel.mint.resolve import definitions
 
         with StackSpace():
-            return definitions.names(self._readable, self._declared.names)
+            return definitions.names(self._readable, self._declared)
 
     @property
     def layout(self) -> list[LineLayout]:
@@ -260,7 +260,7 @@ class MintProgram(Program):
 
     @cached_property
     def _facts(self) -> FactsReader:
-        return FactsReader(self.source, self._declared.names)
+        return FactsReader(self.source, self._declared)
 
     @cached_property
     def structure(self) -> Structure:

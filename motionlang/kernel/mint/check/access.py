@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import many
 from motionlang.kernel.mint.check.values import NOTHING
 from motionlang.kernel.mint.resolve.symbols import STRING
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import as_hint
 
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.unit import UnitWriter
 
-def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
+
+def can_be_read(b: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
     """True if a program may read a keyword; report an error if not."""
     if "R" in row.access:
         return True
@@ -20,7 +24,7 @@ def can_be_read(b: Body, node: nodes.Name, row: Keyword) -> bool:
     return False
 
 
-def refuse(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+def refuse(b: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword takes no value."""
     b.problem("read-only", f"{row.word} {_why_not(row)}", target, _instead(row, target.name))
     for each in node.values:
@@ -47,7 +51,7 @@ def _instead(row: Keyword, name: str) -> str:
     )
 
 
-def not_a_command(b: Body, target: nodes.Name, row: Keyword) -> None:
+def not_a_command(b: UnitWriter, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
     shown = row.word if target.args is None else f"{row.word}(…)"
     if row.kind == "statement":
@@ -72,7 +76,7 @@ def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
     return f"{shown} = value sets it, PRINT {shown} shows it" if "R" in row.access else f"{shown} = value"
 
 
-def check_values(b: Body, node: nodes.Assign, row: Keyword, indices: int | None) -> None:
+def check_values(b: UnitWriter, node: nodes.Assign, row: Keyword, indices: int | None) -> None:
     """Check the values of `KEYWORD(axes) = values`: one for each axis, or one alone.
 
     The number of axes is None for those of AXES, which is known only in the run.
@@ -84,7 +88,7 @@ def check_values(b: Body, node: nodes.Assign, row: Keyword, indices: int | None)
         _check_count(b, node, row, max(1, indices) if row.index in ("axis", "axes") else 1)
 
 
-def _check_count(b: Body, node: nodes.Assign, row: Keyword, wanted: int) -> None:
+def _check_count(b: UnitWriter, node: nodes.Assign, row: Keyword, wanted: int) -> None:
     given = len(node.values)
     if given == wanted or (node.repeat and 0 < given < wanted):
         return
@@ -99,7 +103,7 @@ def _check_count(b: Body, node: nodes.Assign, row: Keyword, wanted: int) -> None
     )
 
 
-def written_value(b: Body, node: nodes.Expr, row: Keyword) -> None:
+def written_value(b: UnitWriter, node: nodes.Expr, row: Keyword) -> None:
     """Check a value that is written to a keyword: its type, and its range if it is known."""
     found = b.value(node)
     if row.unit == "text":

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.syntax.word import Word
-from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.unknown_words import task_named
 from motionlang.kernel.mint.check.values import article
 from motionlang.kernel.mint.resolve.symbols import NUMERIC
@@ -12,13 +13,16 @@ from motionlang.kernel.mint.runtime.task import PARENT
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import count_of
 
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.unit import UnitWriter
 
-def axes_by_default(b: Body, target: nodes.Name, row: Keyword) -> bool:
+
+def axes_by_default(b: UnitWriter, target: nodes.Name, row: Keyword) -> bool:
     """True if a keyword without brackets means the axes of AXES."""
     return target.args is None and row.index in ("axis", "axes") and b.program.names.uses_axes
 
 
-def check_indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> int:
+def check_indices(b: UnitWriter, node: nodes.Name, row: Keyword, single: bool) -> int:
     """Check the indices of a keyword, and return how many it has.
 
     Several axes are accepted unless the keyword is read for a `single` one.
@@ -45,7 +49,7 @@ def check_indices(b: Body, node: nodes.Name, row: Keyword, single: bool) -> int:
     return len(kinds)
 
 
-def _index(b: Body, node: nodes.Expr, kind: str) -> None:
+def _index(b: UnitWriter, node: nodes.Expr, kind: str) -> None:
     if kind == "task":
         _task(b, node)
         return
@@ -63,7 +67,7 @@ def _index(b: Body, node: nodes.Expr, kind: str) -> None:
         b.problem("axis", f"there is no axis {known}", node, hint)
 
 
-def _task(b: Body, node: nodes.Expr) -> None:
+def _task(b: UnitWriter, node: nodes.Expr) -> None:
     """Check the name of a task, which is no expression: its node has the symbol, none for the parent task."""
     word = node.name if type(node) is nodes.Name else Word("")
     if type(node) is not nodes.Name or node.args is not None:
@@ -73,7 +77,7 @@ def _task(b: Body, node: nodes.Expr) -> None:
     task_named(b, node, word)
 
 
-def _with_arrays(b: Body, node: nodes.Name, row: Keyword, kinds: list[str]) -> None:
+def _with_arrays(b: UnitWriter, node: nodes.Name, row: Keyword, kinds: list[str]) -> None:
     """Check the indices of a keyword whose last ones are arrays, which may be omitted."""
     args = node.args or []
     least = len(kinds) - kinds.count("array") + 1
@@ -88,7 +92,7 @@ def _with_arrays(b: Body, node: nodes.Name, row: Keyword, kinds: list[str]) -> N
             _index(b, arg, kind)
 
 
-def _array(b: Body, node: nodes.Expr, row: Keyword) -> None:
+def _array(b: UnitWriter, node: nodes.Expr, row: Keyword) -> None:
     """Check an array as a whole; NULL and 0 stand for none."""
     if type(node) is nodes.Number and node.value == 0:
         return

@@ -6,8 +6,10 @@ The keyword's row in the table gives its access, index, unit and range. A keywor
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.check import unsimulated
+from motionlang.kernel.mint.check import terminal, unsimulated
 from motionlang.kernel.mint.check.access import (
     can_be_read,
     check_values,
@@ -15,16 +17,17 @@ from motionlang.kernel.mint.check.access import (
     refuse,
     written_value,
 )
-from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices, many
-from motionlang.kernel.mint.check.terminal import line
 from motionlang.kernel.mint.check.values import NOTHING, Value, literal, type_of, typed
 from motionlang.kernel.mint.resolve.folding import constant
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING
 from motionlang.kernel.mint.syntax import nodes
 
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.unit import UnitWriter
 
-def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+
+def read(b: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of a keyword in an expression."""
     if not row.simulated:
         return unsimulated.read(b, node, row)
@@ -44,7 +47,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     return typed(type_of(row))
 
 
-def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+def write(b: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Check `KEYWORD(axes) = values`."""
     if not row.simulated:
         unsimulated.write(b, node, target, row)
@@ -62,7 +65,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
         check_values(b, node, row, check_indices(b, target, row, single=False))
 
 
-def command(b: Body, node: nodes.Call, row: Keyword) -> None:
+def command(b: UnitWriter, node: nodes.Call, row: Keyword) -> None:
     """Check a keyword as a statement: `GO(0, 1)`, `WAIT(100)`."""
     target = node.target
     if not row.simulated:
@@ -70,14 +73,14 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     elif row.function == "wait":
         _wait(b, target, target.args or [], row)
     elif row.function == "line":
-        line(b, node)
+        terminal.line(b, node)
     elif row.access != "C" or row.kind == "statement":
         not_a_command(b, target, row)
     elif not axes_by_default(b, target, row):
         check_indices(b, target, row, single=False)
 
 
-def _wait(b: Body, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> None:
+def _wait(b: UnitWriter, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> None:
     """Check `WAIT = ms` and `WAIT(ms)`."""
     if len(values) == 1:
         written_value(b, values[0], row)
@@ -88,7 +91,7 @@ def _wait(b: Body, node: nodes.Node, values: list[nodes.Expr], row: Keyword) -> 
 # ---------------------------------------------------------------------------------------- moves of axes
 
 
-def _write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+def _write_path(b: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Check a path.
 
     The row's unit lists the units of the values, "uu" once for each axis. A single unit applies to every
@@ -100,7 +103,7 @@ def _write_path(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -
         _check_counts(b, node, target, row, check_indices(b, target, row, single=False))
 
 
-def _check_counts(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
+def _check_counts(b: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
     form = row.example.split("\n")[0]
     units = row.unit.split(", ")
     wanted = units.count("uu") if len(units) > 1 else 0
@@ -116,7 +119,7 @@ def _check_counts(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword,
 # ------------------------------------------------------------------------------------------- functions
 
 
-def _call_function(b: Body, node: nodes.Name, row: Keyword) -> Value:
+def _call_function(b: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """Return the result of a function; the row's index lists its arguments."""
     kinds = row.index.split(", ") if row.index else []
     args = node.args or []
@@ -134,7 +137,7 @@ def _call_function(b: Body, node: nodes.Name, row: Keyword) -> Value:
     return typed(FLOAT if any(each.type == FLOAT for each in found) else INTEGER)
 
 
-def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
+def _argument(b: UnitWriter, node: nodes.Expr, kind: str, row: Keyword) -> Value:
     if kind != "text":
         return b.number(node)
     found = b.value(node)
@@ -143,7 +146,7 @@ def _argument(b: Body, node: nodes.Expr, kind: str, row: Keyword) -> Value:
     return found
 
 
-def _immediate_if(b: Body, node: nodes.Name, args: list[nodes.Expr]) -> Value:
+def _immediate_if(b: UnitWriter, node: nodes.Name, args: list[nodes.Expr]) -> Value:
     b.condition(args[0])
     yes, no = b.value(args[1]), b.value(args[2])
     if yes is NOTHING or no is NOTHING:

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from math import prod
+from typing import TYPE_CHECKING
 
 from motionlang.kernel.mint.check import keywords, terminal
-from motionlang.kernel.mint.check.body import Body
-from motionlang.kernel.mint.check.calls import call
 from motionlang.kernel.mint.check.unknown_words import (
     another_name,
     label_hint,
@@ -16,16 +15,20 @@ from motionlang.kernel.mint.check.unknown_words import (
     unknown_name,
 )
 from motionlang.kernel.mint.check.values import NOTHING, Value, article
-from motionlang.kernel.mint.check.variables import check_subscript, location
 from motionlang.kernel.mint.resolve.handlers import label_handlers
 from motionlang.kernel.mint.resolve.symbols import INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, Symbol, Type
+from motionlang.kernel.mint.steps.calls import call
+from motionlang.kernel.mint.steps.expressions import check_subscript, place
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.unit import UnitWriter
 
 # ---------------------------------------------------------------------------------------------- assignments
 
 
-def _assign(b: Body, node: nodes.Assign) -> None:
+def _assign(b: UnitWriter, node: nodes.Assign) -> None:
     target = meant(node.target)
     if type(target) is not nodes.Name:
         _assign_other(b, node)
@@ -42,25 +45,25 @@ def _assign(b: Body, node: nodes.Assign) -> None:
             b.value(each)
 
 
-def _assign_other(b: Body, node: nodes.Assign) -> None:
+def _assign_other(b: UnitWriter, node: nodes.Assign) -> None:
     """Check an assignment to a member; a Define that is no name cannot be assigned to."""
     if type(node.target) is nodes.Member:
-        _assign_value(b, node, location(b, node.target))
+        _assign_value(b, node, place(b, node.target)[2])
         return
     named = node.target.symbol.name  # type: ignore[union-attr]
     b.problem("type", f"{named} is an expression and cannot be assigned to", node)
 
 
-def _assign_variable(b: Body, node: nodes.Assign, target: nodes.Name, symbol: Symbol) -> None:
+def _assign_variable(b: UnitWriter, node: nodes.Assign, target: nodes.Name, symbol: Symbol) -> None:
     if symbol.kind in ("variable", "parameter"):
-        _assign_value(b, node, location(b, target))
+        _assign_value(b, node, place(b, target)[2])
         return
     is_function = symbol.kind == "sub" and symbol.home.result is not None
     what = {"const": "constant"}.get(symbol.kind, "function" if is_function else symbol.kind)
     b.problem("read-only", f"{symbol.name} is a {what} and cannot be assigned to", target)
 
 
-def _assign_value(b: Body, node: nodes.Assign, kind: Type) -> None:
+def _assign_value(b: UnitWriter, node: nodes.Assign, kind: Type) -> None:
     if len(node.values) != 1:
         b.problem("values", f"a variable takes one value, {len(node.values)} given", node)
         return
@@ -75,7 +78,7 @@ def _assign_value(b: Body, node: nodes.Assign, kind: Type) -> None:
         b.convert(found, Type(INTEGER) if kind.name == SEMAPHORE else kind, node.values[0])
 
 
-def _dim(b: Body, node: nodes.Dim) -> None:
+def _dim(b: UnitWriter, node: nodes.Dim) -> None:
     """Check the initial values of variables."""
     for variable in node.variables:
         symbol, given = variable.symbol, len(variable.values)
@@ -90,14 +93,14 @@ def _dim(b: Body, node: nodes.Dim) -> None:
                 b.convert(b.value(each), symbol.type, each)
 
 
-def _nothing(b: Body, node: nodes.Stmt) -> None:
+def _nothing(b: UnitWriter, node: nodes.Stmt) -> None:
     """Check nothing: name resolution has checked declarations and labels, the parser a `Wrong`."""
 
 
 # ------------------------------------------------------------------------------------------ calls and tasks
 
 
-def _call(b: Body, node: nodes.Call) -> None:
+def _call(b: UnitWriter, node: nodes.Call) -> None:
     target = node.target
     symbol = target.symbol
     if symbol is not None and symbol.kind == "sub":
@@ -111,27 +114,27 @@ def _call(b: Body, node: nodes.Call) -> None:
         keywords.command(b, node, target.row)
 
 
-def _run(b: Body, node: nodes.Run) -> None:
+def _run(b: UnitWriter, node: nodes.Run) -> None:
     task_named(b, node, node.name)
 
 
-def _end(b: Body, node: nodes.End) -> None:
+def _end(b: UnitWriter, node: nodes.End) -> None:
     if node.name is not None:
         task_named(b, node, node.name)
 
 
-def _return(b: Body, node: nodes.Return) -> None:
+def _return(b: UnitWriter, node: nodes.Return) -> None:
     if b.function.kind == "main" and not b.function.jumps:
         b.problem("stray-end", "Return without a Gosub", node)
 
 
-def _jump(b: Body, node: nodes.Jump) -> None:
+def _jump(b: UnitWriter, node: nodes.Jump) -> None:
     """Check a Goto or a Gosub; name resolution reports labels that are declared twice."""
     assert node.symbol is not None
     if node.symbol.declared:
         return
-    name, problems = node.name, b.program.problems
-    symbol = b.scope.find(name)
+    name, problems = node.name, b.program.names.problems
+    symbol = b.function.scope.find(name)
     if symbol is not None and symbol.kind == "sub":
         hint = f"a sub is called by its name alone: {symbol.name}"
         problems.add("unknown-word", f"{symbol.name} is a sub, not a label", name.start, hint)
@@ -146,15 +149,15 @@ def _jump(b: Body, node: nodes.Jump) -> None:
 # ----------------------------------------------------------------------------------------- If and Select
 
 
-def _if(b: Body, node: nodes.If) -> None:
+def _if(b: UnitWriter, node: nodes.If) -> None:
     """Check an If and its ElseIfs, of which there may be thousands."""
     branch: nodes.If | None = node
     while branch is not None:
         _warn_of_else_if(b, branch.orelse)
         b.condition(branch.condition)
-        b.statements(branch.body)
+        b.statements(STATEMENTS, branch.body)
         last, branch = branch, _else_if(branch.orelse)
-    b.statements(last.orelse)
+    b.statements(STATEMENTS, last.orelse)
 
 
 def _else_if(orelse: list[nodes.Stmt]) -> nodes.If | None:
@@ -162,7 +165,7 @@ def _else_if(orelse: list[nodes.Stmt]) -> nodes.If | None:
     return first if type(first) is nodes.If else None
 
 
-def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
+def _warn_of_else_if(b: UnitWriter, orelse: list[nodes.Stmt]) -> None:
     """Warn of `Else If b Then x = 1`, which may mean an Else with a one-line If.
 
     In that case the statements after it belong to the Else.
@@ -170,14 +173,16 @@ def _warn_of_else_if(b: Body, orelse: list[nodes.Stmt]) -> None:
     chained = _else_if(orelse)
     if chained is None or len(chained.body) < 2:
         return
-    line = b.program.problems.line
+    line = b.program.names.problems.line
     first, last, here = line(chained.body[0].start), line(chained.body[-1].start), line(chained.start)
-    if here == first < last and b.program.problems.text(chained.start).lower() == "else":
+    if here == first < last and b.program.names.problems.text(chained.start).lower() == "else":
         hint = "write ElseIf, or Else on a line of its own"
-        b.warn("else-if", "this is read as an ElseIf, which continues to its end", chained, hint)
+        b.problem(
+            "else-if", "this is read as an ElseIf, which continues to its end", chained, hint, "warning"
+        )
 
 
-def _select(b: Body, node: nodes.Select) -> None:
+def _select(b: UnitWriter, node: nodes.Select) -> None:
     """Check a Select; the Cases after a Case Else are never reached."""
     subject = b.value(node.subject)
     for case in node.cases:
@@ -185,13 +190,13 @@ def _select(b: Body, node: nodes.Select) -> None:
             _case_test(b, test, subject)
     b.loops.append("select")
     for case in node.cases:
-        b.statements(case.body)
+        b.statements(STATEMENTS, case.body)
         if not case.tests:
             break
     b.loops.pop()
 
 
-def _case_test(b: Body, test: nodes.CaseTest, subject: Value) -> None:
+def _case_test(b: UnitWriter, test: nodes.CaseTest, subject: Value) -> None:
     for side in [b.value(side) for side in (test.value, test.high) if side is not None]:
         is_known = side is not NOTHING and subject is not NOTHING
         if is_known and (side.type == STRING) is not (subject.type == STRING):
@@ -202,7 +207,7 @@ def _case_test(b: Body, test: nodes.CaseTest, subject: Value) -> None:
 # -------------------------------------------------------------------------------------------------- loops
 
 
-def _for(b: Body, node: nodes.For) -> None:
+def _for(b: UnitWriter, node: nodes.For) -> None:
     """Check `For variable = first To stop Step step … Next`."""
     symbol = node.variable.symbol
     if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
@@ -210,7 +215,7 @@ def _for(b: Body, node: nodes.For) -> None:
         hint = another_name(name, row) if row else ""
         b.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
         return
-    location(b, node.variable)
+    place(b, node.variable)
     b.number(node.first)
     b.number(node.stop)
     if node.step is not None and _may_be_0(b, node.step) and not _may_end(node, symbol):
@@ -221,7 +226,7 @@ def _for(b: Body, node: nodes.For) -> None:
         _check_elements(b, node, symbol)
 
 
-def _check_elements(b: Body, node: nodes.For, symbol: Symbol) -> None:
+def _check_elements(b: UnitWriter, node: nodes.For, symbol: Symbol) -> None:
     """Report the elements outside their arrays that a For comes to by its first or its last value, each time."""
     loops = nodes.While | nodes.Repeat | nodes.Loop
     if any(isinstance(each, loops) or _is_function(each) for each in walk(node.body)):
@@ -258,7 +263,7 @@ def _is_function(node: nodes.Node) -> bool:
     return isinstance(node, nodes.Name) and node.symbol is not None and node.symbol.kind == "sub"
 
 
-def _may_be_0(b: Body, step: nodes.Expr) -> bool:
+def _may_be_0(b: UnitWriter, step: nodes.Expr) -> bool:
     """True if a step is 0, or if its value is only known when the program starts."""
     known = b.number(step).const
     return known == 0 or (known is None and _is_known_at_start(step))
@@ -294,25 +299,25 @@ def _is_variable(node: nodes.Expr, symbol: Symbol) -> bool:
     return type(node) is nodes.Name and node.args is None and node.symbol is symbol
 
 
-def _while(b: Body, node: nodes.While) -> None:
+def _while(b: UnitWriter, node: nodes.While) -> None:
     """Check `While condition … End While`."""
     b.condition(node.condition)
     _body(b, "while", node.body)
 
 
-def _repeat(b: Body, node: nodes.Repeat) -> None:
+def _repeat(b: UnitWriter, node: nodes.Repeat) -> None:
     """Check `Repeat … Until condition`."""
     _body(b, "repeat", node.body)
     b.condition(node.condition)
 
 
-def _body(b: Body, kind: str, body: list[nodes.Stmt]) -> None:
+def _body(b: UnitWriter, kind: str, body: list[nodes.Stmt]) -> None:
     b.loops.append(kind)
-    b.statements(body)
+    b.statements(STATEMENTS, body)
     b.loops.pop()
 
 
-def _exit(b: Body, node: nodes.Exit) -> None:
+def _exit(b: UnitWriter, node: nodes.Exit) -> None:
     """Check `Exit` and `Exit For …`, which leave a loop, a Select or the function."""
     kind, function = node.kind, b.function
     if kind in ("sub", "function", "task", "event"):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from itertools import chain
+from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.check.body import Body, CheckContext
 from motionlang.kernel.mint.check.other_machines import as_typed
 from motionlang.kernel.mint.resolve.problems import bracketed
 from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES, Symbol
@@ -13,6 +13,10 @@ from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
 from motionlang.kernel.mint.syntax.expectations import ONE_FILE
 from motionlang.kernel.tools import Spellings
+
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.resolve.names import Symbols
+    from motionlang.kernel.mint.steps.unit import UnitWriter
 
 # Words of the grammar that begin a statement and are often misspelled.
 _FIRST_WORDS = (
@@ -36,7 +40,7 @@ _OTHER_WORDS = {
 MIN_LENGTH = 3
 
 
-def unknown_name(b: Body, node: nodes.Name) -> None:
+def unknown_name(b: UnitWriter, node: nodes.Name) -> None:
     """Report a word that is no variable: a keyword, or neither declared nor a keyword."""
     if node.row is not None:
         message = f"a variable is needed here, and {node.row.word} is a keyword"
@@ -45,8 +49,8 @@ def unknown_name(b: Body, node: nodes.Name) -> None:
     is_constant = node.name.startswith("_")
 
     def words() -> list[str]:
-        symbols = [symbol.name for symbol in b.scope.symbols()]
-        rows = [row.name for row in b.program.table if row.kind not in ("statement", "command")]
+        symbols = [symbol.name for symbol in b.function.scope.symbols()]
+        rows = [row.name for row in b.program.names.table if row.kind not in ("statement", "command")]
         return [word for word in (*symbols, *rows) if word.startswith("_") or not is_constant]
 
     hint = "a variable must be declared or assigned to before it is read"
@@ -54,7 +58,7 @@ def unknown_name(b: Body, node: nodes.Name) -> None:
         hint = f"an array needs a Dim, as in Dim {node.name}(10), and a function its Function"
     if is_constant:
         hint = f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
-    problems, table = b.program.problems, b.program.table
+    problems, table = b.program.names.problems, b.program.names.table
     problems.unknown(f"{node.name} is unknown", node.name, words, node.start, hint, table)
 
 
@@ -64,18 +68,20 @@ def another_name(name: str, row: Keyword) -> str:
     return f"{short}give the variable another name, such as {name.lower()}_value"
 
 
-def unknown_command(b: Body, target: nodes.Name) -> None:
+def unknown_command(b: UnitWriter, target: nodes.Name) -> None:
     """Report an unknown word used as a statement.
 
     A word that is only a value is not suggested.
     """
 
     def known() -> list[str]:
-        subs = [symbol.name for symbol in b.scope.symbols() if symbol.kind == "sub"]
-        commands = [row.name for row in b.program.table if row.kind == "command" or row.function == "wait"]
+        subs = [symbol.name for symbol in b.function.scope.symbols() if symbol.kind == "sub"]
+        commands = [
+            row.name for row in b.program.names.table if row.kind == "command" or row.function == "wait"
+        ]
         return [*subs, *commands, *_FIRST_WORDS]
 
-    problems, table = b.program.problems, b.program.table
+    problems, table = b.program.names.problems, b.program.names.table
     message = f"{target.name} is neither a keyword nor a sub of this program"
     hint = _OTHER_WORDS.get(target.name.lower()) or as_typed(problems.line_from(target.start), 0) or None
     behind = problems.text(target.name.end)
@@ -85,7 +91,7 @@ def unknown_command(b: Body, target: nodes.Name) -> None:
     if hint is None:
         problems.unknown(message, target.name, known, target.start, otherwise, table)
         return
-    following = b.scope.find(behind)
+    following = b.function.scope.find(behind)
     if target.name.lower() == "call" and following is not None and following.kind == "sub":
         hint += f": {following.name}"
     problems.add("unknown-word", message, target.start, hint)
@@ -100,7 +106,7 @@ def hint_at_type(word: str) -> str:
     return _DIM if word.lower() in TYPES or word.lower() in OTHER_TYPES else ""
 
 
-def task_named(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> str | None:
+def task_named(b: UnitWriter, node: nodes.Name | nodes.Run | nodes.End, name: str) -> str | None:
     """Return the name of the task that a node refers to; report an error if there is none."""
     if node.symbol is not None and node.symbol.kind == "task":
         return node.symbol.name
@@ -108,27 +114,27 @@ def task_named(b: Body, node: nodes.Name | nodes.Run | nodes.End, name: str) -> 
     def tasks() -> list[str]:
         return [each.name for each in b.program.names.module.symbols() if each.kind == "task"]
 
-    b.program.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
+    b.program.names.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
     return None
 
 
-def warn_of_misspellings(program: CheckContext) -> None:
+def warn_of_misspellings(names: Symbols) -> None:
     """Warn of names that are only assigned to and resemble a keyword.
 
     Such a name may be a typing error, or a variable that an old program no longer uses. A keyword with a number and
     without brackets, as in `OUT3 = 1`, is an error.
     """
     words: Spellings | None = None
-    problems = program.problems
-    for symbol in _only_assigned(program):
+    problems, table = names.problems, names.table
+    for symbol in _only_assigned(names):
         if problems.is_full:
             return
-        message, meant = f"{symbol.name} is assigned but never read", bracketed(symbol.name, program.table)
+        message, meant = f"{symbol.name} is assigned but never read", bracketed(symbol.name, table)
         if meant is not None:
             hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
             problems.add("unknown-word", message, symbol.at, hint, fix=meant)
             continue
-        words = words or Spellings(r.name for r in program.table if r.simulated and r.kind != "statement")
+        words = words or Spellings(r.name for r in table if r.simulated and r.kind != "statement")
         near = words.nearest(symbol.name, 0.75)
         if near is not None:
             problems.in_run.add(("unused-variable", symbol.at))
@@ -136,9 +142,9 @@ def warn_of_misspellings(program: CheckContext) -> None:
             problems.add("unused-variable", message, symbol.at, hint, "warning", candidates=(near,))
 
 
-def _only_assigned(program: CheckContext) -> list[Symbol]:
+def _only_assigned(names: Symbols) -> list[Symbol]:
     """Return the undeclared variables that are never read, without the shortest names."""
-    symbols = (symbol for each in program.names.functions for symbol in each.scope.names.values())
+    symbols = (symbol for each in names.functions for symbol in each.scope.names.values())
     return [
         symbol
         for symbol in symbols

@@ -6,9 +6,10 @@ is accepted in brackets.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.access import can_be_read, check_values, not_a_command, refuse
-from motionlang.kernel.mint.check.body import Body
 from motionlang.kernel.mint.check.indices import axes_by_default, check_indices
 from motionlang.kernel.mint.check.values import NOTHING, Value, type_of, typed
 from motionlang.kernel.mint.keywords import unsimulated
@@ -16,12 +17,15 @@ from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import as_hint
 
+if TYPE_CHECKING:
+    from motionlang.kernel.mint.steps.unit import UnitWriter
+
 CODE = "not-simulated"
 # Follows the meaning of a keyword that ends the run when the program reaches it.
 _ENDS = "the run ends here"
 
 
-def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
+def read(b: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of an unsimulated keyword."""
     if not can_be_read(b, node, row):
         return NOTHING
@@ -30,7 +34,7 @@ def read(b: Body, node: nodes.Name, row: Keyword) -> Value:
     return typed(type_of(row))
 
 
-def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+def write(b: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Check `WORD(axes) = values`; a command without details also accepts values."""
     if not ("W" in row.access or (row.access == "C" and row.function != STORED)):
         refuse(b, node, target, row)
@@ -39,7 +43,7 @@ def write(b: Body, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None
     check_values(b, node, row, _indices(b, target, row))
 
 
-def command(b: Body, node: nodes.Call, row: Keyword) -> None:
+def command(b: UnitWriter, node: nodes.Call, row: Keyword) -> None:
     """Check an unsimulated keyword as a statement."""
     target = node.target
     if row.access != "C":
@@ -49,7 +53,7 @@ def command(b: Body, node: nodes.Call, row: Keyword) -> None:
     _indices(b, target, row)
 
 
-def _indices(b: Body, node: nodes.Name, row: Keyword, single: bool = False) -> int | None:
+def _indices(b: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> int | None:
     """Check what is in brackets, and return the number of indices, None for the axes of AXES."""
     if axes_by_default(b, node, row):
         return None
@@ -70,7 +74,7 @@ def _is_whole(node: nodes.Name) -> bool:
 # ------------------------------------------------------------------------------------------------ warning
 
 
-def _warn(b: Body, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
+def _warn(b: UnitWriter, node: nodes.Node, row: Keyword, by: nodes.Assign | nodes.Call | None = None) -> None:
     """Warn that a keyword is not simulated, and state what it does instead.
 
     `by` is the statement that writes it or carries it out.
@@ -99,18 +103,18 @@ def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
     )
 
 
-def _once(b: Body, node: nodes.Node, row: Keyword, message: str) -> None:
-    problems = b.program.problems
+def _once(b: UnitWriter, node: nodes.Node, row: Keyword, message: str) -> None:
+    problems = b.program.names.problems
     if all(message != each.message for each in problems.found.values()):
-        b.warn(CODE, message, node, f"{row.name}: {as_hint(row.help)}")
+        b.problem(CODE, message, node, f"{row.name}: {as_hint(row.help)}", "warning")
 
 
-def _ending(b: Body, node: nodes.Node, row: Keyword, writes: bool) -> None:
+def _ending(b: UnitWriter, node: nodes.Node, row: Keyword, writes: bool) -> None:
     end = _ENDS
     if writes and row.access != "C" and row.function == unsimulated.MOTION:
         end += ", unless it is given 0"
     elif not writes:
         end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
     message = f"{row.word} is a Mint keyword that is not simulated"
-    b.warn(CODE, message, node, f"{row.name}: {as_hint(row.help)}; {end}")
-    b.program.problems.in_run.add((CODE, node.start))
+    b.problem(CODE, message, node, f"{row.name}: {as_hint(row.help)}; {end}", "warning")
+    b.program.names.problems.in_run.add((CODE, node.start))

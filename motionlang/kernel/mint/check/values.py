@@ -53,7 +53,7 @@ _EXACT = 2**53
 class Value:
     """An expression: the function that works it out, its type, and its value if that is known before the run.
 
-    The check asks for type and value only; the functions that it makes are never called.
+    A check asks for type and value only; the functions that it makes are never called.
     """
 
     get: Get

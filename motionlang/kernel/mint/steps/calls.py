@@ -5,21 +5,31 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.steps import CALL, DO, Steps, Values, own
-from motionlang.kernel.mint.check.values import Get, Value
+from motionlang.kernel.mint.check.unknown_words import unknown_name
+from motionlang.kernel.mint.check.values import NOTHING, Get, Value, typed
 from motionlang.kernel.mint.resolve.symbols import FLOAT, RECORD, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.places import copied
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import count_of
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.steps.unit import UnitWriter
 
 
-def call(w: UnitWriter, node: nodes.Name, symbol: Symbol) -> Value:
-    """Write the call of a sub; return its result."""
+def call(w: UnitWriter, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value:
+    """Write the call of a sub; return its result, which may be `wanted`."""
     callee, program = symbol.home, w.program
-    args = node.args or []
+    if wanted and callee.result is None:
+        w.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
+        return NOTHING
+    args, count = node.args or [], len(callee.parameters)
+    if len(args) != count:
+        w.problem("values", f"{symbol.name} takes {count_of(count, 'value')}, {len(args)} given", node)
+        return NOTHING
     gets = _arguments(w, args, callee)
+    if w.checks:
+        return typed(str(symbol.type))
     places, steps = program.places, program.environment.steps_of(callee)
     indices = [places.index(each) for each in callee.parameters]
 
@@ -55,32 +65,50 @@ def _arguments(w: UnitWriter, args: list[nodes.Expr], callee: Function) -> list[
 
 def _argument(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
     if parameter.is_array:
-        return array(w, node)
+        return _array(w, node, parameter)
     if parameter.by_ref:
         return _reference(w, node, parameter)
     found = expressions.value(w, node)
     if parameter.type.name == RECORD:
+        if found.type != str(parameter.type):
+            w.problem("type", f"{parameter.name} must be a {parameter.type}", node)
         get = found.get
         return lambda values: copied(get(values))
-    return expressions.converted(w, found, parameter.type)
+    return expressions.assigned(w, found, parameter.type, node)
 
 
-def array(w: UnitWriter, node: nodes.Expr) -> Get:
+def _array(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
     """Return the function for a whole array, which may be a member of a record."""
-    if isinstance(node, nodes.Member):
-        return expressions.member(w, node)
-    return expressions.whole(w, w.symbol(node))
+    get, found, given = None, None, ""
+    if isinstance(node, nodes.Member) and node.args is None:
+        (get, found), given = expressions.member(w, node), node.field
+    elif isinstance(node, nodes.Name) and node.args is None:
+        found, given = node.symbol, node.name
+    wanted = len(parameter.dimensions)
+    if found is None or len(found.dimensions) != wanted:
+        many = "one subscript" if wanted == 1 else f"{wanted} subscripts"
+        w.problem("type", f"{parameter.name} must be given an array with {many}", node)
+        return NOTHING.get
+    kind = str(found.type)
+    if w.checks:
+        node.type = kind
+    if kind != str(parameter.type):
+        w.problem("type", f"{parameter.name} is an array of {parameter.type}, {given} one of {kind}", node)
+    return get or expressions.whole(w, found)
 
 
 def _reference(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
-    is_variable = isinstance(node, nodes.Member) or (
-        isinstance(node, nodes.Name)
-        and node.symbol is not None
-        and node.symbol.kind in ("variable", "parameter")
-    )
-    if is_variable:
-        where, which, _ = expressions.place(w, node)  # type: ignore[arg-type]
+    """Return the function for a ByRef argument: a variable, or an expression, whose value the sub may change."""
+    symbol = node.symbol if type(node) is nodes.Name else None
+    if type(node) is nodes.Member or (symbol is not None and symbol.kind in ("variable", "parameter")):
+        where, which, kind = expressions.place(w, node)  # type: ignore[arg-type]
+        if str(kind) != str(parameter.type):
+            w.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
+                      f"not {kind}", node)  # fmt: skip
         return lambda values: (where(values), which(values))
+    if type(node) is nodes.Name and symbol is None and node.row is None:
+        unknown_name(w, node)
+        return NOTHING.get
     # Any other expression is a temporary value, which the sub may change.
-    get = expressions.converted(w, expressions.value(w, node), parameter.type)
+    get = expressions.assigned(w, expressions.value(w, node), parameter.type, node)
     return lambda values: ([get(values)], 0)

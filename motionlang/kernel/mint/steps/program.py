@@ -6,6 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from motionlang.kernel.lang.steps import CALL, DO, END, NOW, RETURN, Steps
+from motionlang.kernel.mint.check.statements import STATEMENTS
+from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.handlers import handles, label_handlers
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.symbols import Function
@@ -15,6 +17,8 @@ from motionlang.kernel.mint.steps.places import is_shared, variables_of
 from motionlang.kernel.mint.steps.statements import block
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.syntax.traversal import is_stop, walk
+
+DEFAULT_AXES = 8
 
 
 @dataclass(slots=True, eq=False)
@@ -37,7 +41,8 @@ class ProgramWriter:
     """Writes the steps of all functions of a program.
 
     `given` are the values of the names that differ between runs. With `is_debug` a debugger can stop before each
-    statement.
+    statement. With the settings of a machine file the program is `checked` for them: its mistakes are reported, its
+    tree is annotated, and no steps are written.
     """
 
     def __init__(
@@ -47,6 +52,7 @@ class ProgramWriter:
         line: Callable[[int], int],
         given: Mapping[str, float | str],
         is_debug: bool = False,
+        checked: Mapping[str, object] | None = None,
     ) -> None:
         self.names, self.environment, self.line = names, environment, line
         self.given = {name.lower(): value for name, value in given.items()}
@@ -65,6 +71,15 @@ class ProgramWriter:
             steps.title = "program" if function.kind == "main" else f"{function.kind} {function.name}"
         # The tasks and handlers, by names such as "task blink" and "event timer".
         self.blocks: dict[str, FunctionSteps] = {}
+        self.checks = checked is not None
+        if checked is not None:
+            axes = checked.get("controller.axes", DEFAULT_AXES)
+            self.axes = range(axes if isinstance(axes, int) else DEFAULT_AXES)
+            # The keywords whose values the machine file gives.
+            self.supplied = words(checked)
+            for function in names.functions:
+                UnitWriter(self, function).statements(STATEMENTS, function.body)
+            return
         for function in names.functions:
             self._write(function)
         observer = environment.machine.observer

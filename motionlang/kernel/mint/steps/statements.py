@@ -145,7 +145,7 @@ def _call(w: UnitWriter, node: nodes.Call) -> None:
         return
     noted = _begin_call(w, node)
     w.settle(*(target.args or ()))
-    calls.call(w, target, symbol)
+    calls.call(w, target, symbol, wanted=False)
     w.pay()
     _end_call(w, node, noted)
 

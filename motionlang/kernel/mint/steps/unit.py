@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.lang.steps import BEGIN, JUMP, NOTE, NOW, RETURN, Uses, Values
-from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
+from motionlang.kernel.mint.check.values import Value
+from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol, Type
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
@@ -34,6 +35,8 @@ class UnitWriter:
 
     def __init__(self, program: ProgramWriter, function: Function) -> None:
         self.program, self.function = program, function
+        # True if it reports mistakes and annotates the tree, and writes no steps.
+        self.checks = program.checks
         self.steps = program.steps[function]
         # The offset of the statement that is being written.
         self.at = function.at
@@ -50,6 +53,8 @@ class UnitWriter:
             self._ending.setdefault(each.statement.start, []).append(each)
         # The sub that was called last.
         self.callee: Function | None = None
+        # The kinds of the loops and Selects around the statement that is checked, innermost last.
+        self.loops: list[str] = []
         self.forget_uses()
 
     def forget_uses(self) -> None:
@@ -142,11 +147,37 @@ class UnitWriter:
 
         return read
 
+    # ------------------------------------------------------------------------------------------- the check
+
+    def problem(
+        self, code: str, message: str, node: nodes.Node, hint: str = "", severity: str = "error"
+    ) -> None:
+        """Report a mistake, if this is a check: a value that a run is given may be out of range."""
+        if self.checks:
+            self.program.names.problems.add(code, message, node.start, hint, severity)
+
+    def statements(self, rules: Mapping[type, Callable[..., None]], body: Iterable[nodes.Stmt]) -> None:
+        """Check statements in sequence."""
+        for node in body:
+            rules[node.__class__](self, node)
+
+    def value(self, node: nodes.Expr) -> Value:
+        return expressions.value(self, node)
+
+    def number(self, node: nodes.Expr, what: str = "a number") -> Value:
+        return expressions.number(self, node, what)
+
+    def condition(self, node: nodes.Expr) -> None:
+        expressions.condition(self, node)
+
+    def convert(self, found: Value, kind: Type, node: nodes.Node) -> None:
+        expressions.assigned(self, found, kind, node)
+
     # ------------------------------------------------------------------------------------------- properties
 
     def has_steps(self, part: object) -> bool:
         """True if an expression has steps of its own: it calls a function of the program, or has a long chain."""
-        return any(
+        return not self.checks and any(
             isinstance(each, nodes.Chain)
             or (
                 isinstance(each, nodes.Name)

@@ -6,18 +6,20 @@ Problem. A program may be wrong in ways that its grammar does not exclude: a tex
 the controller does not have, an Exit outside a loop. All mistakes are reported at once. What a later stage would have
 to find again, such as the type of an expression, is recorded in the tree.
 
-Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text. `VALUES` and
-`STATEMENTS` map each class of node to the function that checks it. A wrong expression is reported where it is found,
-and has a harmless value from then on.
+Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text. A class of
+expression has one function (`steps/expressions.py`), which checks it and makes its `Value`. That of a statement is one
+of `STATEMENTS` (`check/statements.py`). A wrong expression is reported where it is found, and has a harmless value from
+then on.
 
-Data. `CheckContext` is what the functions of a program share, `Body` is the function that is being checked. A
-`Value` is the type of an expression, and its value if that is known. They are annotated in the nodes, as `type`
-and `const`.
+Data. A `ProgramWriter` with the settings of a machine file checks, and writes no steps: `UnitWriter.checks` is True. A
+`Value` has the type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and
+`const`.
 
 Invariants.
 - An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a
   Define at each of its uses, and each `Link` of a chain. What names a variable, an array or a task is no expression: a
   variable has the type of its declaration, a task has none.
+- Only a check annotates the tree, which all runs share: the values that they are given differ.
 - Nothing here knows how the program will be run. Every diagnostic of a program that can be parsed comes from here or
   from name resolution; warnings about programs without errors come from `commands/check/rules/`.
 
@@ -29,23 +31,21 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from motionlang.kernel.errors import Diagnostic
+from motionlang.kernel.lang.machine.machine import Machine
 from motionlang.kernel.lang.syntax.word import Word
-from motionlang.kernel.mint.check.body import Body, CheckContext
-from motionlang.kernel.mint.check.expressions import VALUES
-from motionlang.kernel.mint.check.statements import STATEMENTS
 from motionlang.kernel.mint.check.unknown_words import warn_of_misspellings
 from motionlang.kernel.mint.keywords import table
-from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.aliases import rename_old_words
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.resolve.symbols import Function, PromptSymbols
+from motionlang.kernel.mint.resolve.symbols import PromptSymbols
+from motionlang.kernel.mint.runtime.environment import Environment
+from motionlang.kernel.mint.steps.places import Places
+from motionlang.kernel.mint.steps.program import ProgramWriter
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nodes import Module
 from motionlang.kernel.mint.syntax.traversal import walk
 from motionlang.kernel.tools import StackSpace
-
-DEFAULT_AXES = 8
 
 
 class CheckedModule:
@@ -57,20 +57,21 @@ class CheckedModule:
         self.names, self.problems = names, problems
 
 
-def declared(module: Module, settings: Mapping[str, object]) -> CheckContext:
-    """Declare the names of a module, the first half of a check; its mistakes are in `problems`."""
+def declared(module: Module, settings: Mapping[str, object]) -> Symbols:
+    """Declare the names of a module, the first half of a check; its mistakes are in their `problems`."""
     rename_old_words(module, settings)
     problems = Problems(module)
     mark(module, settings, problems)
-    return _declared(module, settings, problems, None)
+    names = Symbols(table(), problems)
+    names.declare_module(module)
+    return names
 
 
-def examined(module: Module, program: CheckContext) -> CheckedModule:
+def examined(names: Symbols, settings: Mapping[str, object]) -> CheckedModule:
     """Check the functions of a module whose names are declared; its mistakes are in `problems`."""
-    for function in program.names.functions:
-        _check_function(program, function)
-    warn_of_misspellings(program)
-    return CheckedModule(program.names, program.problems)
+    _check(names, settings)
+    warn_of_misspellings(names)
+    return CheckedModule(names, names.problems)
 
 
 def check_line(
@@ -86,35 +87,17 @@ def check_line(
     if of_program:
         mark(module, settings, problems)
     with StackSpace():
-        program = _declared(module, settings, problems, session)
-        for function in program.names.functions:
-            _check_function(program, function)
+        names = Symbols(table(), problems, session)
+        names.declare_module(module)
+        _check(names, settings)
     problems.raise_errors()
-    session.scope.names |= program.names.module.names
-    session.types = program.names.types
-    return CheckedModule(program.names, problems)
+    session.scope.names |= names.module.names
+    session.types = names.types
+    return CheckedModule(names, problems)
 
 
-def _declared(
-    module: Module, settings: Mapping[str, object], problems: Problems, session: PromptSymbols | None
-) -> CheckContext:
-    """Declare the names of a module and return the data that its functions share."""
-    names = Symbols(table(), problems, session)
-    names.declare_module(module)
-    axes = settings.get("controller.axes", DEFAULT_AXES)
-    return CheckContext(
-        table(),
-        names,
-        problems,
-        range(axes if isinstance(axes, int) else DEFAULT_AXES),
-        words(settings),
-        VALUES,
-        STATEMENTS,
-    )
-
-
-def _check_function(program: CheckContext, function: Function) -> None:
-    Body(program, function).statements(function.body)
+def _check(names: Symbols, settings: Mapping[str, object]) -> None:
+    ProgramWriter(names, Environment(Machine(), Places()), names.problems.line, {}, checked=settings)
 
 
 WORD = "(line)"
