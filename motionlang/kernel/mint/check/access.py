@@ -1,34 +1,29 @@
-"""Check if a keyword can be read, written or carried out, and the values that are written to it."""
+"""Reports of keywords that cannot be read, written or carried out, or have too many or too few values."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.keyword import Keyword
-from motionlang.kernel.mint.check.indices import many
-from motionlang.kernel.mint.check.values import NOTHING
-from motionlang.kernel.mint.resolve.symbols import STRING
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.tools import as_hint
+from motionlang.kernel.tools import as_hint, count_of
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.steps.unit import UnitWriter
 
 
-def can_be_read(b: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
+def can_be_read(w: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
     """True if a program may read a keyword; report an error if not."""
     if "R" in row.access:
         return True
     what = "is a command and has no value" if row.access == "C" else "can be written but not read"
-    b.problem("write-only", f"{row.word} {what}", node)
+    w.problem("write-only", f"{row.word} {what}", node)
     return False
 
 
-def refuse(b: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
+def refuse(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword takes no value."""
-    b.problem("read-only", f"{row.word} {_why_not(row)}", target, _instead(row, target.name))
-    for each in node.values:
-        b.value(each)
+    w.problem("read-only", f"{row.word} {_why_not(row)}", target, _instead(row, target.name))
 
 
 def _why_not(row: Keyword) -> str:
@@ -51,16 +46,16 @@ def _instead(row: Keyword, name: str) -> str:
     )
 
 
-def not_a_command(b: UnitWriter, target: nodes.Name, row: Keyword) -> None:
+def not_a_command(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
     shown = row.word if target.args is None else f"{row.word}(…)"
     if row.kind == "statement":
-        b.problem("syntax", f"{row.word} cannot be used here", target, as_hint(row.help))
+        w.problem("syntax", f"{row.word} cannot be used here", target, as_hint(row.help))
     elif "W" in row.access:
-        b.problem("not-a-command", f"{row.word} needs a value", target, _with_value(target, row, shown))
+        w.problem("not-a-command", f"{row.word} needs a value", target, _with_value(target, row, shown))
     else:
         message = f"{row.word} is a value, not a statement"
-        b.problem("not-a-command", message, target, f"print it with PRINT {shown}")
+        w.problem("not-a-command", message, target, f"print it with PRINT {shown}")
 
 
 def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
@@ -76,20 +71,9 @@ def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
     return f"{shown} = value sets it, PRINT {shown} shows it" if "R" in row.access else f"{shown} = value"
 
 
-def check_values(b: UnitWriter, node: nodes.Assign, row: Keyword, indices: int | None) -> None:
-    """Check the values of `KEYWORD(axes) = values`: one for each axis, or one alone.
-
-    The number of axes is None for those of AXES, which is known only in the run.
-    """
-    for each in node.values:
-        if type(each) is not nodes.Omitted:
-            written_value(b, each, row)
-    if indices is not None:
-        _check_count(b, node, row, max(1, indices) if row.index in ("axis", "axes") else 1)
-
-
-def _check_count(b: UnitWriter, node: nodes.Assign, row: Keyword, wanted: int) -> None:
-    given = len(node.values)
+def check_count(w: UnitWriter, node: nodes.Assign, row: Keyword, indices: int) -> None:
+    """Report too many or too few values: there is one for each axis, or one alone."""
+    wanted, given = max(1, indices) if row.index in ("axis", "axes") else 1, len(node.values)
     if given == wanted or (node.repeat and 0 < given < wanted):
         return
     hint = ""
@@ -98,19 +82,28 @@ def _check_count(b: UnitWriter, node: nodes.Assign, row: Keyword, wanted: int) -
     elif row.index in ("axis", "axes"):
         axes = ", ".join(map(str, range(given)))
         hint = f"name an axis for each value: {row.word}({axes}) = …"
-    b.problem(
+    w.problem(
         "values", f"{row.word} needs {many(wanted, 'value')} here, {many(given, 'value')} given", node, hint
     )
 
 
-def written_value(b: UnitWriter, node: nodes.Expr, row: Keyword) -> None:
-    """Check a value that is written to a keyword: its type, and its range if it is known."""
-    found = b.value(node)
-    if row.unit == "text":
-        if found.type != STRING and found is not NOTHING:
-            b.problem("type", f"{row.word} takes a text, not a number", node)
-    elif not found.is_number:
-        b.problem("type", f"{row.word} takes a number, not a text", node)
-    elif found.const is not None and (refusal := row.refusal(float(found.const))) is not None:
-        message, hint = refusal
-        b.problem("range", message, node, hint)
+def check_path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword, axes: int) -> None:
+    """Report too many or too few axes or values of a path.
+
+    The row's unit lists the units of the values, "uu" once for each axis. A single unit applies to every axis.
+    """
+    form = row.example.split("\n")[0]
+    units = row.unit.split(", ")
+    wanted = units.count("uu") if len(units) > 1 else 0
+    if (wanted and axes != wanted) or axes < 2:
+        needed = f"{wanted} axes" if wanted else "2 axes or more"
+        w.problem("values", f"{row.word} needs {needed} in brackets, {axes} given", target, form)
+        return
+    count, given = len(units) if wanted else axes, len(node.values)
+    if given != count:
+        w.problem("values", f"{row.word} needs {count} values here, {given} given", node, form)
+
+
+def many(count: int, what: str) -> str:
+    """Return a count with a noun of the table of keywords: 2 axes, 1 value."""
+    return count_of(count, what, {"axis": "axes", "index": "indices"}.get(what, ""))

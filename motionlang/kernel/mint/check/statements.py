@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from math import prod
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.mint.check import keywords, terminal
 from motionlang.kernel.mint.check.unknown_words import (
     another_name,
     label_hint,
@@ -17,6 +16,7 @@ from motionlang.kernel.mint.check.unknown_words import (
 from motionlang.kernel.mint.check.values import NOTHING, Value, article
 from motionlang.kernel.mint.resolve.handlers import label_handlers
 from motionlang.kernel.mint.resolve.symbols import INTEGER, NUMERIC, RECORD, SEMAPHORE, STRING, Symbol, Type
+from motionlang.kernel.mint.steps import keywords, terminal, waiting
 from motionlang.kernel.mint.steps.calls import call
 from motionlang.kernel.mint.steps.expressions import check_subscript, place
 from motionlang.kernel.mint.syntax import nodes
@@ -341,7 +341,7 @@ STATEMENTS: dict[type, Callable[..., None]] = {
     nodes.Auto: _nothing,
     nodes.Call: _call,
     nodes.Print: terminal.print_,
-    nodes.Input: terminal.input_,
+    nodes.Input: waiting.input_,
     nodes.Run: _run,
     nodes.End: _end,
     nodes.Pause: lambda b, node: b.condition(node.condition),

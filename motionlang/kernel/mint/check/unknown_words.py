@@ -106,10 +106,10 @@ def hint_at_type(word: str) -> str:
     return _DIM if word.lower() in TYPES or word.lower() in OTHER_TYPES else ""
 
 
-def task_named(b: UnitWriter, node: nodes.Name | nodes.Run | nodes.End, name: str) -> str | None:
-    """Return the name of the task that a node refers to; report an error if there is none."""
+def task_named(b: UnitWriter, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol | None:
+    """Return the task that a node refers to; report an error if there is none."""
     if node.symbol is not None and node.symbol.kind == "task":
-        return node.symbol.name
+        return node.symbol
 
     def tasks() -> list[str]:
         return [each.name for each in b.program.names.module.symbols() if each.kind == "task"]

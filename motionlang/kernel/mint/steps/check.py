@@ -7,9 +7,9 @@ the controller does not have, an Exit outside a loop. All mistakes are reported 
 to find again, such as the type of an expression, is recorded in the tree.
 
 Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text. A class of
-expression has one function (`steps/expressions.py`), which checks it and makes its `Value`. That of a statement is one
-of `STATEMENTS` (`check/statements.py`). A wrong expression is reported where it is found, and has a harmless value from
-then on.
+expression has one function (`steps/expressions.py`), which checks it and makes its `Value`; so has the use of a keyword
+(`steps/words.py`, `steps/keywords.py`). That of a statement is one of `STATEMENTS` (`check/statements.py`). A wrong
+expression is reported where it is found, and has a harmless value from then on.
 
 Data. A `ProgramWriter` with the settings of a machine file checks, and writes no steps: `UnitWriter.checks` is True. A
 `Value` has the type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and

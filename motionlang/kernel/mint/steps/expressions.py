@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.steps import BRANCH, DO, Values, own
 from motionlang.kernel.lang.variable_uses import Span
-from motionlang.kernel.mint.check import keywords
 from motionlang.kernel.mint.check.unknown_words import unknown_name
 from motionlang.kernel.mint.check.values import (
     ARITHMETIC,
@@ -196,8 +195,7 @@ def _name(w: UnitWriter, node: nodes.Name) -> Value:
         return _variable(w, node, result)  # inside a function, its name without brackets is the result so far
     if symbol is None:
         if node.row is not None:
-            found: Value = (keywords if w.checks else words).read(w, node, node.row)
-            return found
+            return words.read(w, node, node.row)
         unknown_name(w, node)
         return NOTHING
     if symbol.kind == "const" and node.args is None:

@@ -6,10 +6,13 @@ from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.steps import DO, NOW, TRY, Values
 from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.lang.waits import Wait
-from motionlang.kernel.mint.check.values import Get, Value
-from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, Type
+from motionlang.kernel.mint.check import unsimulated
+from motionlang.kernel.mint.check.access import check_count, check_path, not_a_command, refuse
+from motionlang.kernel.mint.check.values import NOTHING, Get, Value
+from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
 from motionlang.kernel.mint.runtime import binding
-from motionlang.kernel.mint.steps import expressions, waiting, words
+from motionlang.kernel.mint.steps import expressions, terminal, waiting, words
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.syntax import nodes
 
@@ -19,8 +22,18 @@ HOST_VARIABLE = 1 << 40
 
 def write(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
     """Write `KEYWORD(axes) = values`."""
+    takes_values = row.access == "C" and row.function != STORED and not row.simulated
+    if "W" not in row.access and not takes_values:
+        refuse(w, target, row)
+        for each in node.values:
+            expressions.value(w, each)
+        return
+    if not row.simulated:
+        unsimulated.warn(w, target, row, by=node)
     if row.simulated and row.function == "wait":
-        waiting.wait(w, node.values)
+        if target.args or node.repeat:
+            w.problem("values", "WAIT = ms takes one time and no axis", target, "WAIT = 100 waits for 100 ms")
+        waiting.wait(w, node, node.values, row)
     elif row.simulated and row.kind == "move" and row.index == "axes":
         _path(w, node, target, row)
     elif words.by_default(w, target, row):
@@ -30,9 +43,19 @@ def write(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -
 
 
 def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
-    """Write a keyword as a statement: `GO(0, 1)`."""
+    """Write a keyword as a statement: `GO(0, 1)`, `WAIT(100)`."""
     target = node.target
+    if row.simulated and row.function == "wait":
+        waiting.wait(w, target, target.args or [], row)
+        return
+    if row.simulated and row.function == "line":
+        terminal.line(w, node)
+        return
+    if row.access != "C" or (row.kind == "statement" and row.simulated):
+        not_a_command(w, target, row)
+        return
     if not row.simulated:
+        unsimulated.warn(w, target, row, by=node)
         _unsimulated(w, target, row)
         return
     line: tuple[int, ...] = ()
@@ -40,6 +63,8 @@ def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
         line = (w.program.line(node.start),)
     has_calls = w.has_steps(target)
     where = words.indices(w, target, row)
+    if w.checks:
+        return
     if row.index == "axes":
         where = [words.together(where)]
     if has_calls:
@@ -51,6 +76,8 @@ def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
 
 def _unsimulated(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
     gets = words.whatever(w, target, row, single=False)
+    if w.checks:
+        return
     do = words.action(w, "do", row, [Value(get, "anything") for get in gets])
     w.add(NOW)
     w.add(DO, do, cost=1.0)
@@ -63,8 +90,13 @@ def _write_to_each(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: K
     has_calls = w.has_steps(node)
     if has_calls:
         w.settle(node)
-    where = _where(w, target, row)
-    given = [None if isinstance(each, nodes.Omitted) else _given(w, each, row) for each in node.values]
+    where = words.indices(w, target, row) if row.simulated else words.anything(w, target, row)
+    given = [None if isinstance(each, nodes.Omitted) else given_to(w, each, row) for each in node.values]
+    if w.checks:
+        check_count(w, node, row, len(where))
+        return
+    if not row.simulated:
+        where = [Value(get, "anything") for get in words.joined(where, row)]
     if row.index in ("axis", "axes"):
         given += given[-1:] * (max(1, len(where)) - len(given)) if node.repeat else []
         pairs = [([axis], value) for axis, value in zip(where, given, strict=True) if value is not None]
@@ -86,12 +118,6 @@ def _write_to_each(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: K
         w.pay()
 
 
-def _where(w: UnitWriter, target: nodes.Name, row: Keyword) -> list[Value]:
-    if row.simulated:
-        return words.indices(w, target, row)
-    return [Value(get, "anything") for get in words.anywhere(w, target, row)]
-
-
 def _worked_out(w: UnitWriter, found: Value) -> Value:
     """Return a value that does not change while time passes, in a called sub or in a wait for space in a buffer."""
     return found if found.const is not None else expressions.stored(w, found)
@@ -104,12 +130,27 @@ def _last(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -
     return [lambda values: line] if row.group == "motion" else []
 
 
-def _given(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
+def given_to(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
+    """Return a value that is written to a keyword, of its type; report one of another type or out of range."""
     found = expressions.value(w, node)
+    if w.checks:
+        _check_value(w, node, found, row)
+        return NOTHING
     if row.unit == "text":
         return found
     kind = Type(FLOAT if row.takes_fractions else INTEGER)
     return Value(expressions.converted(w, found, kind), kind.name, found.const)
+
+
+def _check_value(w: UnitWriter, node: nodes.Expr, found: Value, row: Keyword) -> None:
+    if row.unit == "text":
+        if found.type != STRING and found is not NOTHING:
+            w.problem("type", f"{row.word} takes a text, not a number", node)
+    elif not found.is_number:
+        w.problem("type", f"{row.word} takes a number, not a text", node)
+    elif found.const is not None and (refusal := row.refusal(float(found.const))) is not None:
+        message, hint = refusal
+        w.problem("range", message, node, hint)
 
 
 def _store(
@@ -147,7 +188,9 @@ def _write_to_defaults(w: UnitWriter, node: nodes.Assign, target: nodes.Name, ro
     """Write `SPEED = 10, 20` after `AXES[0, 1]`; the number of axes is known only at run time."""
     environment = w.program.environment
     w.settle(node)
-    given = [None if isinstance(each, nodes.Omitted) else _given(w, each, row) for each in node.values]
+    given = [None if isinstance(each, nodes.Omitted) else given_to(w, each, row) for each in node.values]
+    if w.checks:
+        return
     gets = [None if each is None else each.get for each in given]
     last = _last(w, node, target, row)
     pairs = w.new_index()
@@ -189,8 +232,13 @@ def _path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -
     """Write `VECTORA(0, 1) = 10, 20` and `CIRCLER(0, 1) = 10, 0, 90`: one move of several axes."""
     if w.has_steps(node):
         w.settle(node)
-    given = [_given(w, each, row) for each in node.values]
-    axes = words.together(words.indices(w, target, row))
+    given = [given_to(w, each, row) for each in node.values]
+    where = words.indices(w, target, row)
+    if w.checks:
+        if not words.by_default(w, target, row):
+            check_path(w, node, target, row, len(where))
+        return
+    axes = words.together(where)
     gets = [each.get for each in given]
     values_of = Value(lambda values: tuple([get(values) for get in gets]), "values")
     if any(each.const is None for each in given):

@@ -136,12 +136,7 @@ def _call(w: UnitWriter, node: nodes.Call) -> None:
     symbol, row = target.symbol, target.row
     if symbol is None:
         assert row is not None
-        if row.simulated and row.function == "wait":
-            waiting.wait(w, target.args or [])
-        elif row.simulated and row.function == "line":
-            terminal.line(w, node)
-        else:
-            keywords.command(w, node, row)
+        keywords.command(w, node, row)
         return
     noted = _begin_call(w, node)
     w.settle(*(target.args or ()))

@@ -11,8 +11,9 @@ from typing import Any
 
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.steps import DO, NOW, Values
-from motionlang.kernel.mint.check.values import Get, Value
-from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
+from motionlang.kernel.mint.check.unknown_words import hint_at_type
+from motionlang.kernel.mint.check.values import NOTHING, Get, Value, article
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
 from motionlang.kernel.mint.runtime import binding
 from motionlang.kernel.mint.runtime.printing import show_integer
 from motionlang.kernel.mint.steps import expressions, words
@@ -26,13 +27,18 @@ _KINDS: dict[str, str] = {STRING: "text", FLOAT: "float"}
 
 def print_(w: UnitWriter, node: nodes.Print) -> None:
     """Write `PRINT items`, and a LINE with formats or a `;`."""
+    if node.word and (node.row is None or node.row.function != "line"):
+        message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
+        w.problem("syntax", message, node, hint_at_type(node.word))
+        return
     if node.word:
-        assert node.line is not None
-        _print_on_row(w, node.line, node.items)
+        _print_on_row(w, node, node.line, node.items)
         return
     w.settle_before_calls(node)
     number = number_of(w, node.terminal)
     text = _text(w, node.items, "" if node.items and node.items[-1].separator else "\n")
+    if w.checks:
+        return
     write = printer(w, number)
     w.add(NOW)
     w.add(DO, lambda values: write(values, text(values)), cost=1.0)
@@ -40,14 +46,22 @@ def print_(w: UnitWriter, node: nodes.Print) -> None:
 
 def line(w: UnitWriter, node: nodes.Call) -> None:
     """Write `LINE row, values`: print from the beginning of a row of the screen."""
-    row, *rest = node.target.args or []
-    _print_on_row(w, row, [nodes.PrintItem(each.start, each.end, each, [], "") for each in rest])
+    args = node.target.args or []
+    items = [nodes.PrintItem(each.start, each.end, each, [], "") for each in args[1:]]
+    _print_on_row(w, node, args[0] if args else None, items)
 
 
-def _print_on_row(w: UnitWriter, where: nodes.Expr, items: list[nodes.PrintItem]) -> None:
+def _print_on_row(
+    w: UnitWriter, node: nodes.Stmt, where: nodes.Expr | None, items: list[nodes.PrintItem]
+) -> None:
+    if where is None:
+        w.problem("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
+        return
     w.settle_before_calls(where, *items)
-    row = expressions.converted(w, expressions.value(w, where), Type(INTEGER))
+    row = expressions.converted(w, expressions.number(w, where, "the number of a row"), Type(INTEGER))
     text = _text(w, items, "")
+    if w.checks:
+        return
     say = hidden(w, "row") if w.program.names.uses_terminal else w.program.environment.say_on_row
     w.add(NOW)
     w.add(DO, lambda values: say(row(values), text(values)), cost=1.0)
@@ -57,7 +71,7 @@ def number_of(w: UnitWriter, node: nodes.Expr | None) -> Get | None:
     """Return the function for the number of a terminal after `#`, None if there is none."""
     if node is None:
         return None
-    return expressions.converted(w, expressions.value(w, node), Type(INTEGER))
+    return expressions.converted(w, expressions.number(w, node, "the number of a terminal"), Type(INTEGER))
 
 
 def printer(w: UnitWriter, number: Get | None) -> Callable[[Values, str], None]:
@@ -77,6 +91,10 @@ def hidden(w: UnitWriter, name: str) -> Callable[..., Any]:
 
 
 def _text(w: UnitWriter, items: list[nodes.PrintItem], end: str) -> Get:
+    if w.checks:  # in the order of the text
+        for each in items:
+            _shown(w, each, expressions.value(w, each.value))
+        return NOTHING.get
     found = expressions.values(w, [each.value for each in items])
     shown = [_shown(w, item, value) for item, value in zip(items, found, strict=True)]
     if len(shown) == 1:
@@ -86,17 +104,31 @@ def _text(w: UnitWriter, items: list[nodes.PrintItem], end: str) -> Get:
 
 
 def _shown(w: UnitWriter, item: nodes.PrintItem, found: Value) -> Get:
-    if w.program.names.typed:
+    if w.program.names.typed and not w.checks:
         found = _in_whole_counts(w, item.value, found)
     get = found.get
     if item.using:
-        widths = [expressions.converted(w, expressions.value(w, each), Type(INTEGER)) for each in item.using]
+        widths = [_width_of(w, each, index) for index, each in enumerate(item.using)]
+        if len(item.using) > 2:
+            w.problem("values", f"USING takes a width and decimals, {len(item.using)} values given", item)
         using: Any = USING[_KINDS.get(found.type, "integer")]
         return lambda values: using(get(values), *[each(values) for each in widths])
     if found.type == STRING:
         return get
+    if found.type not in NUMERIC:
+        w.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
     show = w.program.show_float if found.type == FLOAT else show_integer
     return lambda values: show(get(values))
+
+
+def _width_of(w: UnitWriter, node: nodes.Expr, index: int) -> Get:
+    found = expressions.value(w, node)
+    if not found.is_number:
+        what = "decimals are" if index else "a width is"
+        hint = "decimals follow the width after a comma; a semicolon ends the item" if index else ""
+        w.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
+        return NOTHING.get
+    return expressions.converted(w, found, Type(INTEGER))
 
 
 def _in_whole_counts(w: UnitWriter, node: nodes.Expr, found: Value) -> Value:

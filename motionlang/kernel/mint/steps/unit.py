@@ -78,6 +78,8 @@ class UnitWriter:
         is_copy: bool = False,
     ) -> int:
         """Append a step, which sets a variable, maybe to a copy of a reading; return its index."""
+        if self.checks:
+            return 0
         if kind in (NOW, NOTE):  # what has been written so far is used by the step after it
             return self.steps.add(kind, do, to, self.at, Uses(), cost)
         uses = None
@@ -97,7 +99,7 @@ class UnitWriter:
 
     def settle(self, *parts: object) -> None:
         """Let what is due happen before a statement if any of these parts observes the machine."""
-        if any(self.observes(each) for each in parts):
+        if not self.checks and any(self.observes(each) for each in parts):
             self.add(NOW)
 
     def settle_before_calls(self, *parts: object) -> None:

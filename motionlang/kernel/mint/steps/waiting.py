@@ -5,15 +5,17 @@ from __future__ import annotations
 from math import inf
 
 from motionlang.kernel.errors import Diagnostic, Rejected
+from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
 from motionlang.kernel.lang.waits import Delay, Wait, next_tick
+from motionlang.kernel.mint.check.unknown_words import unknown_name
 from motionlang.kernel.mint.check.values import Get, Value
-from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING, Type
+from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.functions import leading_number
 from motionlang.kernel.mint.runtime.task import until_free
-from motionlang.kernel.mint.steps import expressions, terminal
+from motionlang.kernel.mint.steps import expressions, keywords, terminal
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
@@ -22,13 +24,16 @@ from motionlang.kernel.tools import clipped
 from motionlang.kernel.traced import reading
 
 
-def wait(w: UnitWriter, given: list[nodes.Expr]) -> None:
+def wait(w: UnitWriter, node: nodes.Node, given: list[nodes.Expr], row: Keyword) -> None:
     """Write `WAIT = ms` and `WAIT(ms)`.
 
     A WAIT reads nothing, so what is due by then happens while it waits.
     """
+    if len(given) != 1:
+        w.problem("values", f"WAIT needs 1 value, {len(given)} given", node, "WAIT = 100 waits for 100 ms")
+        return
     w.settle(*given)
-    get = expressions.converted(w, expressions.value(w, given[0]), Type(FLOAT))
+    get = keywords.given_to(w, given[0], row).get
     environment = w.program.environment
     clock, statements, loops = environment.clock, environment.statements, environment.loops
 
@@ -133,8 +138,16 @@ def take_or_give(w: UnitWriter, semaphore: Get, wanted: Get) -> None:
 
 def input_(w: UnitWriter, node: nodes.Input) -> None:
     """Write `INPUT "prompt", variable`."""
-    environment = w.program.environment
-    where, which, kind = expressions.target(w, node.target)
+    environment, named = w.program.environment, node.target
+    symbol = named.symbol if isinstance(named, nodes.Name) else None
+    if isinstance(named, nodes.Name) and symbol is None:
+        unknown_name(w, named)
+        return
+    if symbol is not None and symbol.kind not in ("variable", "parameter"):
+        expressions.place(w, named)
+        w.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", named)
+        return
+    where, which, kind = expressions.target(w, named)
     number = terminal.number_of(w, node.terminal)
     chosen = w.new_index()
     is_console = number is None and not w.program.names.uses_terminal
@@ -162,10 +175,12 @@ def input_(w: UnitWriter, node: nodes.Input) -> None:
         lambda values: _take(environment, is_text, CONSOLE if is_console else values[chosen], node.start),
         STRING if is_text else FLOAT,
     )
-    get = expressions.converted(w, typed, kind)
-    plain = expressions.plain_variable(w, node.target)
+    get = expressions.assigned(w, typed, kind, node)
+    if w.checks:
+        return
+    plain = expressions.plain_variable(w, named)
     sets = None if plain is None else w.program.places.number(plain)
-    w.add(DO, expressions.storing(w, node.target, where, which, get), cost=1.0, sets=sets)
+    w.add(DO, expressions.storing(w, named, where, which, get), cost=1.0, sets=sets)
 
 
 def _wait_for_answer(environment: Environment, t: float, terminal: int) -> Wait:

@@ -11,10 +11,25 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.steps import Values
-from motionlang.kernel.mint.check.values import Get, Value, answer, as_float, as_integer, literal, type_of
+from motionlang.kernel.lang.syntax.word import Word
+from motionlang.kernel.mint.check import unsimulated
+from motionlang.kernel.mint.check.access import can_be_read, many
+from motionlang.kernel.mint.check.unknown_words import task_named
+from motionlang.kernel.mint.check.values import (
+    NOTHING,
+    Get,
+    Value,
+    answer,
+    article,
+    as_float,
+    as_integer,
+    literal,
+    type_of,
+    typed,
+)
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.resolve.folding import constant
-from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING
 from motionlang.kernel.mint.runtime import binding, functions
 from motionlang.kernel.mint.runtime.task import PARENT
 from motionlang.kernel.mint.steps import expressions
@@ -34,16 +49,26 @@ HOST_MEMORY = frozenset(("comms", "netdata"))
 def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of a keyword, a function or a constant."""
     if row.kind == "constant":
+        if node.args is not None:
+            w.problem("values", f"{row.word} is a constant and takes no brackets", node)
         return literal(constant(row.function, row.unit))
     if row.kind == "function":
         return _function(w, node, row)
+    if row.kind == "statement":
+        w.problem("type", f"{row.word} is a statement and has no value", node)
+        return NOTHING
+    if not can_be_read(w, node, row):
+        return NOTHING
     environment = w.program.environment
     environment.reads_host_memory |= row.group == "comms"
     if not row.simulated:
-        operation, where = binding.bind(environment, "read", row), whatever(w, node, row)
-        return Value(_with(operation, where), type_of(row))
+        unsimulated.warn(w, node, row)
+        where = whatever(w, node, row)
+        if w.checks:
+            return typed(type_of(row))
+        return Value(_with(binding.bind(environment, "read", row), where), type_of(row))
     if row.every and node.args and len(node.args) > 1:
-        each = [_reading(w, [_index(w, arg, "axis")], row).get for arg in node.args]
+        each = [_reading(w, [index], row).get for index in indices(w, node, row)]
         return answer(lambda values: all(get(values) for get in each))
     if row.every and by_default(w, node, row):
         reads, default_axes = _each_axis(w, "read", row), environment.default_axes
@@ -52,6 +77,8 @@ def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
 
 
 def _reading(w: UnitWriter, where: list[Value], row: Keyword) -> Value:
+    if w.checks:
+        return typed(type_of(row))
     operation, gets = _bound(w, "read", row, where)
     found = Value(_with(operation, gets), type_of(row))
     if row.solved:
@@ -75,20 +102,28 @@ def _with(operation: Callable[..., Any], gets: list[Get]) -> Get:
 def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """A function of the language; the unit "same" means that its result has the type of its arguments."""
     environment, args = w.program.environment, node.args or []
+    kinds = row.index.split(", ") if row.index else []
+    if not len(kinds) - row.optional <= len(args) <= len(kinds):
+        message = f"{row.word} takes {many(len(kinds), 'value')}, {len(args)} given"
+        w.problem("values", message, node, f"{row.word}({row.index})")
+        return NOTHING
+    each_kind = iter(kinds)
+    found = expressions.values(w, args, lambda w, arg: _argument(w, arg, next(each_kind), row))
     if row.function == "choice":
-        return _choice(w, args)
-    found = expressions.values(w, args)
+        return _choice(w, node, *found)
     if row.function == "random":
         return Value(lambda values: environment.random(), FLOAT)
+    if row.unit == "same":
+        kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
+    else:
+        kind = type_of(row)
+    if w.checks:
+        return typed(kind)
     function = (
         functions.shown_by(environment.machine)
         if row.function == "shown"
         else getattr(functions, row.function)
     )
-    if row.unit == "same":
-        kind = FLOAT if any(each.type == FLOAT for each in found) else INTEGER
-    else:
-        kind = type_of(row)
     made = Value(_with(function, [each.get for each in found]), kind)
     if row.function == "absolute" and found[0].solved is not None:
         solved = found[0].solved
@@ -96,9 +131,22 @@ def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     return made
 
 
-def _choice(w: UnitWriter, args: list[nodes.Expr]) -> Value:
+def _argument(w: UnitWriter, node: nodes.Expr, kind: str, row: Keyword) -> Value:
+    found = expressions.value(w, node)
+    if kind == "bool":
+        return expressions.as_number(w, found, node, "a condition")
+    if kind == "text" and found.type != STRING and found is not NOTHING:
+        w.problem("type", f"{row.word} needs a text, not a number", node, "convert the number with Str")
+    return found if kind in ("text", "any") else expressions.as_number(w, found, node)
+
+
+def _choice(w: UnitWriter, node: nodes.Name, test: Value, yes: Value, no: Value) -> Value:
     """IIf: only the chosen value is worked out."""
-    test, yes, no = expressions.values(w, args)
+    if yes is NOTHING or no is NOTHING:
+        return NOTHING
+    if (yes.type == STRING) is not (no.type == STRING):
+        w.problem("type", "the two values of IIf must both be numbers or both be texts", node)
+        return NOTHING
     holds, first, second = test.holds, yes.get, no.get
     kind = yes.type if yes.type == no.type else FLOAT
     return Value(lambda values: first(values) if holds(values) else second(values), kind)
@@ -114,18 +162,33 @@ def indices(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False)
         if row.index == "axes" and not single:
             return [Value(lambda values: default_axes(), "axes")]
         return [Value(lambda values: default_axes()[0], INTEGER)]
+    args = node.args or []
     if row.index == "none":
+        if args:
+            w.problem("values", f"{row.word} takes no brackets", node)
         return []
-    names, args = row.index.split(", "), list(node.args or ())
-    if not args and names[-1] != "array":
+    kinds = row.index.split(", ")
+    missing = len(kinds) - len(args)
+    if kinds[-1] == "array":
+        if not 0 <= missing < kinds.count("array"):
+            message = f"{row.word} takes {row.index} in brackets, {len(args)} given"
+            w.problem("values", message, node, row.example.split("\n")[0])
+            return [NOTHING] * len(kinds)
+        found = [_index(w, *each, row) for each in zip(args, kinds, strict=False)]
+        return found + [Value(lambda values: None, "array")] * missing
+    if not args:
+        if len(kinds) > 1 or row.index == "task":
+            needed = row.index if len(kinds) > 1 else article(row.index)
+            w.problem("values", f"{row.word} needs {needed} in brackets", node)
         bank = w.program.names.default_bank
         if row.index == "bank" and row.group == "io" and bank is not None:
             return [Value(as_integer(_reading(w, [], bank)), INTEGER)]
-        return [literal(0)] * len(names)
-    names += names[-1:] * (len(args) - len(names))
-    missing = len(names) - len(args)
-    found = [_index(w, *each) for each in zip(args, names, strict=False)]
-    return found + [Value(lambda values: None, "array")] * missing
+        return [literal(0)] * len(kinds)
+    if missing and (missing > 0 or single or kinds[-1] not in ("axis", "axes")):
+        wanted = many(1, kinds[0]) if len(kinds) == 1 else f"{many(len(kinds), 'value')} ({row.index})"
+        w.problem("values", f"{row.word} takes {wanted} in brackets, {len(args)} given", node)
+        return [NOTHING] * len(kinds)
+    return [_index(w, *each, row) for each in zip(args, kinds + kinds[-1:] * -missing, strict=True)]
 
 
 def by_default(w: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
@@ -133,41 +196,85 @@ def by_default(w: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
     return node.args is None and row.index in ("axis", "axes") and w.program.names.uses_axes
 
 
-def _index(w: UnitWriter, node: nodes.Expr, kind: str) -> Value:
+def _index(w: UnitWriter, node: nodes.Expr, kind: str, row: Keyword) -> Value:
     if kind == "task":
-        return _task(node)
+        return _task(w, node)
     if kind == "array":
-        return _array(w, node)
+        return _array(w, node, row)
     found = expressions.value(w, node)
+    if w.checks:
+        return _checked_index(w, found, node, kind)
     if kind == "distance":
         return Value(as_float(found), FLOAT)
     known = found.const
     return Value(as_integer(found), INTEGER, int(known) if isinstance(known, (int, float)) else None)
 
 
-def _task(node: nodes.Expr) -> Value:
-    assert isinstance(node, nodes.Name)
-    return literal(PARENT if node.symbol is None else node.symbol.name.lower())
+def _checked_index(w: UnitWriter, found: Value, node: nodes.Expr, kind: str) -> Value:
+    """Return an index; report one that is no number, no whole one, or that of no axis."""
+    what = (
+        "a distance" if kind == "distance" else f"the number of {article('axis' if kind == 'axes' else kind)}"
+    )
+    known = expressions.as_number(w, found, node, what).const
+    if kind == "distance" or not isinstance(known, (int, float)):
+        return typed(FLOAT)
+    if known != int(known):
+        w.problem("range", f"{known} is not {what}", node)
+    elif kind in ("axis", "axes") and known not in w.program.axes:
+        hint = f"this controller has axes 0 to {w.program.axes[-1]}; controller.axes sets their number"
+        w.problem("axis", f"there is no axis {known}", node, hint)
+    return typed(INTEGER)
 
 
-def _array(w: UnitWriter, node: nodes.Expr) -> Value:
+def _task(w: UnitWriter, node: nodes.Expr) -> Value:
+    """Return the name of a task, which is no expression: its node has the symbol, none for the parent task."""
+    word = node.name if type(node) is nodes.Name else Word("")
+    if type(node) is not nodes.Name or node.args is not None:
+        node = nodes.Name(node.start, node.end, word).resolve(None)
+    elif node.symbol is None and word.lower() == PARENT.lower():
+        return literal(PARENT)
+    task = task_named(w, node, word)
+    return NOTHING if task is None else literal(task.name.lower())
+
+
+def _array(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
     """Return an array as a whole, or None for NULL and 0."""
-    if isinstance(node, nodes.Name) and node.symbol is not None:
-        return Value(expressions.whole(w, node.symbol), "array")
-    return Value(lambda values: None, "array")
+    symbol = node.symbol if type(node) is nodes.Name and node.args is None else None
+    is_null = symbol is None and type(node) is nodes.Name and node.name.lower() == "null"
+    if is_null or (type(node) is nodes.Number and node.value == 0):
+        return Value(lambda values: None, "array")
+    if symbol is None or len(symbol.dimensions) != 1 or symbol.type.name not in NUMERIC:
+        message = f"{row.word} needs an array of numbers with one subscript here"
+        w.problem("type", message, node, "NULL stands for a table that is not given")
+        return NOTHING
+    if w.checks:
+        node.type = str(symbol.type)
+    return Value(expressions.whole(w, symbol), "array")
 
 
 def whatever(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = True) -> list[Get]:
     """Return the arguments of a keyword that is not simulated: the values in its brackets, line and offset."""
-    return [*anywhere(w, node, row, single), *location(w, node, row)]
+    found = anything(w, node, row, single)
+    return [*joined(found, row, single), *location(w, node, row)]
 
 
-def anywhere(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> list[Get]:
-    """Return the values in the brackets of a keyword that is not simulated."""
-    if row.function != STORED and row.index not in ("axis", "axes"):
-        return [_anything(w, each) for each in node.args or ()]
-    found = indices(w, node, row, single)
-    return [together(found).get] if row.index == "axes" and not single else [each.get for each in found]
+def anything(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> list[Value]:
+    """Return the values in the brackets of a keyword that is not simulated, whose number is not known for certain."""
+    if row.function == STORED or row.index in ("axis", "axes"):
+        return indices(w, node, row, single)
+    return [literal(0) if _is_whole(each) else expressions.value(w, each) for each in node.args or ()]
+
+
+def _is_whole(node: nodes.Expr) -> bool:
+    """True if a name refers to a whole array or is NULL."""
+    if not isinstance(node, nodes.Name) or node.args is not None:
+        return False
+    return node.name.lower() == "null" if node.symbol is None else node.symbol.is_array
+
+
+def joined(found: list[Value], row: Keyword, single: bool = False) -> list[Get]:
+    """Return the functions for these values, one for all axes if the keyword takes them together."""
+    return [each.get for each in ([together(found)] if row.index == "axes" and not single else found)]
 
 
 def location(w: UnitWriter, node: nodes.Node, row: Keyword) -> list[Get]:
@@ -177,15 +284,6 @@ def location(w: UnitWriter, node: nodes.Node, row: Keyword) -> list[Get]:
         return [lambda values: line]
     at = -1 if w.program.names.typed else node.start  # a typed sub may run when another line is executed
     return [lambda values: line, lambda values: at]
-
-
-def _anything(w: UnitWriter, node: nodes.Expr) -> Get:
-    """Return a value in the brackets of a keyword whose index is not known, 0 for an array."""
-    if isinstance(node, nodes.Name) and node.args is None:
-        symbol = node.symbol
-        if node.name.lower() == "null" if symbol is None else symbol.is_array:
-            return lambda values: 0
-    return expressions.value(w, node).get
 
 
 # ----------------------------------------------------------------------------------------------------- binding
