@@ -13,12 +13,12 @@ from __future__ import annotations
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf, isnan
+from math import isfinite
 from typing import Any
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.steps import Values
-from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, SEMAPHORE, STRING, TIME, Type
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, TIME
 from motionlang.kernel.mint.runtime import functions
 from motionlang.kernel.mint.runtime.functions import INT_HIGH, INT_LOW
 
@@ -93,17 +93,11 @@ def literal(known: float | str) -> Value:
     """Return the value of a constant; an integer of more than 32 bits is a Float."""
     if isinstance(known, str):
         return Value(lambda values: known, STRING, known)
-    if isnan(known) or known in (inf, -inf):
-        return Value(lambda values: known, FLOAT)
-    kind = INTEGER if type(known) is int and INT_LOW <= known <= INT_HIGH else FLOAT
+    if type(known) is int and INT_LOW <= known <= INT_HIGH:
+        return Value(lambda values: known, INTEGER, known)
     if type(known) is int and abs(known) > _EXACT:
         known = float(known)
-    return Value(lambda values: known, kind, known)
-
-
-def read_from(kind: Type) -> Value:
-    """Return the value of a variable of a type: a Time or a Semaphore is read as an Integer."""
-    return typed(INTEGER if kind.name in (TIME, SEMAPHORE) else str(kind))
+    return Value(lambda values: known, FLOAT, known if isfinite(known) else None)
 
 
 def type_of(row: Keyword) -> str:

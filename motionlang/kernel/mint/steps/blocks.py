@@ -24,8 +24,11 @@ from motionlang.kernel.lang.steps import (
     Values,
     own,
 )
-from motionlang.kernel.mint.check.values import Get, Value, arithmetic, combined, comparison
+from motionlang.kernel.mint.check.counting import check_elements, check_step
+from motionlang.kernel.mint.check.unknown_words import another_name, label_hint
+from motionlang.kernel.mint.check.values import NOTHING, Get, Value, arithmetic, article, combined, comparison
 from motionlang.kernel.mint.resolve.folding import Known, fold
+from motionlang.kernel.mint.resolve.symbols import NUMERIC, STRING
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.syntax import nodes
@@ -40,6 +43,8 @@ def if_(w: UnitWriter, node: nodes.If, block: Block) -> None:
     """Write an If with its ElseIfs."""
     ends: list[int] = []
     while True:
+        if w.checks:
+            _warn_of_else_if(w, node.orelse)
         w.at = node.start
         w.settle(node.condition)
         otherwise = w.add(BRANCH, expressions.condition(w, node.condition), cost=1.0, role=TEST)
@@ -47,12 +52,34 @@ def if_(w: UnitWriter, node: nodes.If, block: Block) -> None:
         if node.orelse:
             ends.append(w.add(JUMP))
         w.here(otherwise)
-        if len(node.orelse) != 1 or type(node.orelse[0]) is not nodes.If:
+        if (chained := _else_if(node.orelse)) is None:
             break
-        node = node.orelse[0]
+        node = chained
         w.begins(node.start)
     block(w, node.orelse)
     w.here(*ends)
+
+
+def _else_if(orelse: list[nodes.Stmt]) -> nodes.If | None:
+    first = orelse[0] if len(orelse) == 1 else None
+    return first if type(first) is nodes.If else None
+
+
+def _warn_of_else_if(w: UnitWriter, orelse: list[nodes.Stmt]) -> None:
+    """Warn of `Else If b Then x = 1`, which may mean an Else with a one-line If.
+
+    In that case the statements after it belong to the Else.
+    """
+    chained = _else_if(orelse)
+    if chained is None or len(chained.body) < 2:
+        return
+    line = w.program.names.problems.line
+    first, last, here = line(chained.body[0].start), line(chained.body[-1].start), line(chained.start)
+    if here == first < last and w.program.names.problems.text(chained.start).lower() == "else":
+        hint = "write ElseIf, or Else on a line of its own"
+        w.problem(
+            "else-if", "this is read as an ElseIf, which continues to its end", chained, hint, "warning"
+        )
 
 
 def select(w: UnitWriter, node: nodes.Select, block: Block) -> None:
@@ -63,7 +90,7 @@ def select(w: UnitWriter, node: nodes.Select, block: Block) -> None:
     if any(w.has_steps(side) for both in tests for side in both if side is not None):
         subject = expressions.stored(w, subject)
     chosen, first = w.new_index(), subject.get
-    found = [[_case_test(w, each, chosen) for each in case.tests] for case in node.cases]
+    found = [[_case_test(w, each, subject, chosen) for each in case.tests] for case in node.cases]
 
     def choose(values: Values) -> None:
         values[chosen] = first(values)
@@ -94,10 +121,16 @@ def _any(tests: list[Get]) -> Get:
     return lambda values: any(each(values) for each in tests)
 
 
-def _case_test(w: UnitWriter, test: nodes.CaseTest, chosen: int) -> Get:
-    low = expressions.value(w, test.value).get
+def _case_test(w: UnitWriter, test: nodes.CaseTest, subject: Value, chosen: int) -> Get:
+    sides = [expressions.value(w, side) for side in (test.value, test.high) if side is not None]
+    for side in sides:
+        is_known = side is not NOTHING and subject is not NOTHING
+        if is_known and (side.type == STRING) is not (subject.type == STRING):
+            message = f"{article(side.type)} cannot be compared with the {subject.type} of the Select"
+            w.problem("type", message, test)
+    low = sides[0].get
     if test.high is not None:
-        high, at_least = expressions.value(w, test.high).get, comparison(">=", w.program.report)
+        high, at_least = sides[1].get, comparison(">=", w.program.report)
         at_most = comparison("<=", w.program.report)
         return lambda values: at_least(values[chosen], low(values)) and at_most(values[chosen], high(values))
     compare = comparison(test.op, w.program.report)
@@ -150,11 +183,21 @@ def loop(w: UnitWriter, node: nodes.Loop, block: Block) -> None:
 
 def for_(w: UnitWriter, node: nodes.For, block: Block) -> None:
     """Write `For variable = first To stop Step step … Next`; limit and step are worked out once."""
-    program = w.program
+    program, symbol = w.program, node.variable.symbol
+    if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
+        name, row = node.variable.name, node.variable.row
+        hint = another_name(name, row) if row else ""
+        w.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
+        return
     where, which, kind = expressions.target(w, node.variable)
     step = node.step if node.step is not None else nodes.Number(node.start, node.end, 1)
     w.settle(node.first, node.stop, step)
-    first, stop, by = expressions.values(w, [node.first, node.stop, step], expressions.linear)
+    first, stop, by = expressions.values(w, [node.first, node.stop, step], _limit)
+    if w.checks:
+        check_step(w, node, symbol, by)
+        _body(w, "for", node, [], block)
+        check_elements(w, node, symbol)
+        return
     begins = expressions.converted(w, first, kind)
     stop, by = (each if each.const is not None else _kept(w, each) for each in (stop, by))
     plain = expressions.plain_variable(w, node.variable)
@@ -170,6 +213,10 @@ def for_(w: UnitWriter, node: nodes.For, block: Block) -> None:
     w.add(DO, expressions.storing(w, node.variable, where, which, counts), cost=1.0, sets=sets, role=NEXT)
     w.add(BACK, to=begin)
     _end(w, node, noted, begin, leaving)
+
+
+def _limit(w: UnitWriter, node: nodes.Expr) -> Value:
+    return expressions.as_number(w, expressions.linear(w, node), node)
 
 
 def _kept(w: UnitWriter, found: Value) -> Value:
@@ -208,6 +255,8 @@ def _begin(w: UnitWriter) -> int:
 
 
 def _end(w: UnitWriter, node: Any, noted: int, first: int, leaving: list[int]) -> None:
+    if w.checks:
+        return
     last, at, environment = len(w.steps) - 1, w.steps[noted].at, w.program.environment
     w.steps.loops[last] = node
     w.steps[noted] = w.steps[noted]._replace(
@@ -223,6 +272,9 @@ def _end(w: UnitWriter, node: Any, noted: int, first: int, leaving: list[int]) -
 
 def exit_(w: UnitWriter, node: nodes.Exit) -> None:
     """Write `Exit` and `Exit For …`: leave the innermost loop, or the innermost block of a kind."""
+    if w.checks:
+        _check_exit(w, node)
+        return
     if node.kind in ("sub", "function", "task", "event"):
         _go_back(w) if w.function.kind == "sub" else w.add(END)
         return
@@ -230,6 +282,19 @@ def exit_(w: UnitWriter, node: nodes.Exit) -> None:
         (kind, jumps) for kind, jumps in w.around if node.kind == kind or (not node.kind and kind != "select")
     ]
     kinds[-1][1].append(w.add(JUMP))
+
+
+def _check_exit(w: UnitWriter, node: nodes.Exit) -> None:
+    kind, function, around = node.kind, w.function, [each for each, _ in w.around]
+    if kind in ("sub", "function", "task", "event"):
+        wanted = "sub" if kind == "function" else kind
+        is_inside = function.kind == wanted and (kind == "function") is (function.result is not None)
+    else:
+        is_inside = kind in around if kind else any(each != "select" for each in around)
+    if not is_inside:
+        outside = f"Exit {kind.capitalize()} outside a {kind.capitalize()}" if kind else "Exit outside a loop"
+        hint = "" if kind else "Exit Sub leaves a sub, Exit Function a function"
+        w.problem("stray-end", outside, node, hint)
 
 
 def _go_back(w: UnitWriter) -> None:
@@ -240,6 +305,8 @@ def _go_back(w: UnitWriter) -> None:
 
 def return_(w: UnitWriter, node: nodes.Return) -> None:
     """Write `Return` from a Gosub, an event or a sub."""
+    if w.function.kind == "main" and not w.function.jumps:
+        w.problem("stray-end", "Return without a Gosub", node)
     if w.function.jumps:
         w.pay()
     _go_back(w)
@@ -260,7 +327,10 @@ def label(w: UnitWriter, node: nodes.Label) -> None:
 
 
 def jump(w: UnitWriter, node: nodes.Jump) -> None:
-    """Write a Goto or a Gosub."""
+    """Write a Goto or a Gosub; name resolution reports labels that are declared twice."""
+    if w.checks:
+        _check_label(w, node)
+        return
     name = node.name.lower()
     if node.kind == "gosub":
         w.pay()
@@ -268,6 +338,22 @@ def jump(w: UnitWriter, node: nodes.Jump) -> None:
         w.jumps.append((w.add(CALL, _gosub(w)), name))
     else:
         w.jumps.append((w.add(BACK, cost=1.0), name))
+
+
+def _check_label(w: UnitWriter, node: nodes.Jump) -> None:
+    name, label, problems = node.name, node.symbol, w.program.names.problems
+    if label is not None and label.declared:
+        return
+    symbol = w.function.scope.find(name)
+    if symbol is not None and symbol.kind == "sub":
+        hint = f"a sub is called by its name alone: {symbol.name}"
+        problems.add("unknown-word", f"{symbol.name} is a sub, not a label", name.start, hint)
+        return
+
+    def labels() -> list[str]:
+        return [key for key, label in w.function.labels.items() if label.declared]
+
+    problems.unknown(f"there is no label {name}", name, labels, name.start, label_hint(name))
 
 
 def _gosub(w: UnitWriter) -> Callable[[Values], tuple[Steps, Values]]:

@@ -6,14 +6,15 @@ Problem. A program may be wrong in ways that its grammar does not exclude: a tex
 the controller does not have, an Exit outside a loop. All mistakes are reported at once. What a later stage would have
 to find again, such as the type of an expression, is recorded in the tree.
 
-Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text. A class of
-expression has one function (`steps/expressions.py`), which checks it and makes its `Value`; so has the use of a keyword
-(`steps/words.py`, `steps/keywords.py`). That of a statement is one of `STATEMENTS` (`check/statements.py`). A wrong
-expression is reported where it is found, and has a harmless value from then on.
+Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text, by the writer
+of its steps. A class of node has one function, which checks it and makes its value or its steps: statements are in
+`steps/statements.py` and `blocks.py`, expressions in `expressions.py` and `calls.py`, keywords in `keywords.py` and
+`words.py`. A wrong expression is reported where it is found, and has a harmless value from then on. The sentences that
+take more than a line are in `check/`.
 
-Data. A `ProgramWriter` with the settings of a machine file checks, and writes no steps: `UnitWriter.checks` is True. A
-`Value` has the type of an expression, and its value if that is known. They are annotated in the nodes, as `type` and
-`const`.
+Data. A `ProgramWriter` with the settings of a machine file checks: `UnitWriter.checks` is True. Then `problem` reports,
+`add` writes no step, and a function returns before it binds operations that nothing would call. A `Value` has the type
+of an expression, and its value if that is known. They are annotated in the nodes, as `type` and `const`.
 
 Invariants.
 - An expression that is evaluated in a run has a type, and a `const` if its value is known; so has the definition of a

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.lang.steps import BRANCH, DO, Values, own
 from motionlang.kernel.lang.variable_uses import Span
+from motionlang.kernel.mint.check.counting import check_subscript
 from motionlang.kernel.mint.check.unknown_words import unknown_name
 from motionlang.kernel.mint.check.values import (
     ARITHMETIC,
@@ -77,7 +78,7 @@ def linear(w: UnitWriter, node: nodes.Expr) -> Value:
 
 def condition(w: UnitWriter, node: nodes.Expr) -> Get:
     """Return the function for the truth of a condition."""
-    return _truth(w, number(w, node, "a condition"))
+    return _truth(w, as_number(w, value(w, node), node, "a condition"))
 
 
 def _truth(w: UnitWriter, found: Value) -> Get:
@@ -102,7 +103,7 @@ def number(w: UnitWriter, node: nodes.Expr, what: str = "a number") -> Value:
 
 def as_number(w: UnitWriter, found: Value, node: nodes.Node, what: str = "a number") -> Value:
     """Return a value that must be a number; report one that is none."""
-    if found.is_number:
+    if found.type in NUMERIC:
         return found
     w.problem("type", f"{what} is needed here, not {article(found.type)}", node)
     return NOTHING
@@ -120,9 +121,11 @@ def values(w: UnitWriter, given: Iterable[nodes.Expr], work_out: Callable[..., V
 
 
 def assigned(w: UnitWriter, found: Value, kind: Type, node: nodes.Node) -> Get:
-    """Return the function for a value as one of a variable's type; report one that cannot be assigned to it."""
+    """Return the function for a value as one of a variable's type; a check reports one that cannot be that."""
+    if not w.checks or found is NOTHING:
+        return converted(w, found, kind)
     is_text = found.type == STRING
-    if found is NOTHING or (is_text if kind.name == STRING else kind.name in NUMERIC and found.is_number):
+    if is_text if kind.name == STRING else kind.name in NUMERIC and found.is_number:
         return converted(w, found, kind)
     hint = ""
     if kind.name == STRING and found.is_number:
@@ -235,6 +238,8 @@ def whole(w: UnitWriter, symbol: Symbol) -> Get:
 
 def target(w: UnitWriter, node: nodes.Name | nodes.Member) -> tuple[Get, Get, Type]:
     """Return the place that a statement gives a value, which it does not read."""
+    if w.checks:
+        return place(w, node)
     reads = set(w.reads)
     found = place(w, node)
     if plain_variable(w, node) is not None:
@@ -296,13 +301,6 @@ def _element(w: UnitWriter, node: nodes.Name | nodes.Member, name: str, symbol: 
 
 def _subscript(w: UnitWriter, node: nodes.Expr) -> Value:
     return number(w, node, "a subscript")
-
-
-def check_subscript(w: UnitWriter, node: nodes.Node, value: float, size: int) -> None:
-    """Report a subscript outside 1 … size, if the size is known."""
-    if size and not 1 <= value <= size:
-        hint = "the first element of an array has the subscript 1"
-        w.problem("index", f"there is no element {value}: the subscript must be 1 to {size}", node, hint)
 
 
 def _member_place(w: UnitWriter, node: nodes.Member) -> tuple[Get, Get, Type]:
@@ -439,19 +437,24 @@ Side = tuple[nodes.Node, Value]
 
 
 def _operated(w: UnitWriter, op: str, left: Side, right: Side) -> Value:
-    """Return the result of an operation; report operands that it cannot have."""
+    """Return the result of an operation; a check reports operands that it cannot have."""
     (at, one), (_, other) = left, right
-    if not (one.is_number and other.is_number) and _is_wrong(w, op, left, right):
-        return NOTHING
-    if w.checks and one.const is not None and other.const is not None:
-        known = fold_binary(op, one.const, other.const)
-        if known is not None:
-            return literal(known)
-        if op in ("/", "\\", "Mod") and other.const == 0:
-            hint = "the divisor is 0 whatever the program does"
-            w.problem("division-by-zero", "division by zero", at, hint)
+    if w.checks:
+        if not (one.is_number and other.is_number) and _is_wrong(w, op, left, right):
             return NOTHING
-    return _of_two(w, op, one, other)
+        if one.const is not None and other.const is not None:
+            known = fold_binary(op, one.const, other.const)
+            if known is not None:
+                return literal(known)
+            if op in ("/", "\\", "Mod") and other.const == 0:
+                hint = "the divisor is 0 whatever the program does"
+                w.problem("division-by-zero", "division by zero", at, hint)
+                return NOTHING
+    is_sum = op in ("+", "-") or (op in ARITHMETIC and not (one.sum_of and other.sum_of))
+    is_test = op in COMPARISONS and one.solved is None and other.solved is None
+    if STRING in (one.type, other.type) or not (is_sum or is_test):
+        w.nonlinear |= one.sum_of | other.sum_of
+    return combined(op, one, other, w.program.environment.loops.compared, w.program.report)
 
 
 def _is_wrong(w: UnitWriter, op: str, left: Side, right: Side) -> bool:
@@ -470,14 +473,6 @@ def _is_wrong(w: UnitWriter, op: str, left: Side, right: Side) -> bool:
     else:
         w.problem("type", f"{op} needs numbers, not texts", at)
     return True
-
-
-def _of_two(w: UnitWriter, op: str, left: Value, right: Value) -> Value:
-    is_sum = op in ("+", "-") or (op in ARITHMETIC and not (left.sum_of and right.sum_of))
-    is_test = op in COMPARISONS and left.solved is None and right.solved is None
-    if STRING in (left.type, right.type) or not (is_sum or is_test):
-        w.nonlinear |= left.sum_of | right.sum_of
-    return combined(op, left, right, w.program.environment.loops.compared, w.program.report)
 
 
 def _either(w: UnitWriter, op: str, at: nodes.Node, left: Value, right: nodes.Expr) -> Value:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from motionlang.kernel.lang.machine.machine import DEFAULT_AXES
 from motionlang.kernel.lang.steps import CALL, DO, END, NOW, RETURN, Steps
-from motionlang.kernel.mint.check.statements import STATEMENTS
 from motionlang.kernel.mint.keywords.machine_readings import words
 from motionlang.kernel.mint.resolve.handlers import handles, label_handlers
 from motionlang.kernel.mint.resolve.names import Symbols
@@ -17,8 +17,6 @@ from motionlang.kernel.mint.steps.places import is_shared, variables_of
 from motionlang.kernel.mint.steps.statements import block
 from motionlang.kernel.mint.steps.unit import UnitWriter
 from motionlang.kernel.mint.syntax.traversal import is_stop, walk
-
-DEFAULT_AXES = 8
 
 
 @dataclass(slots=True, eq=False)
@@ -78,7 +76,7 @@ class ProgramWriter:
             # The keywords whose values the machine file gives.
             self.supplied = words(checked)
             for function in names.functions:
-                UnitWriter(self, function).statements(STATEMENTS, function.body)
+                block(UnitWriter(self, function), function.body)
             return
         for function in names.functions:
             self._write(function)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import prod
 
 from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, STOP, TURN, Values
 from motionlang.kernel.lang.variable_uses import Copy
-from motionlang.kernel.mint.check.values import Get
-from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Function, Symbol, Type
+from motionlang.kernel.mint.check.unknown_words import task_named, unknown_command, unknown_name
+from motionlang.kernel.mint.check.values import NOTHING, Get, article
+from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Symbol, Type
 from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
 from motionlang.kernel.mint.steps.places import copied
 from motionlang.kernel.mint.steps.unit import UnitWriter
@@ -16,7 +18,7 @@ from motionlang.kernel.mint.syntax.traversal import is_stop, meant
 
 
 def block(w: UnitWriter, body: list[nodes.Stmt]) -> None:
-    """Write statements in sequence."""
+    """Write or check statements in sequence."""
     is_guarded = w.program.is_guarded and not handles_errors(w)
     for node in body:
         first = len(w.steps)
@@ -38,14 +40,28 @@ def handles_errors(w: UnitWriter) -> bool:
 
 
 def _assign(w: UnitWriter, node: nodes.Assign) -> None:
-    target: nodes.Expr = node.target
-    if isinstance(target, nodes.Name) and target.args is None:
-        target = meant(target)
-    if isinstance(target, nodes.Name) and target.symbol is None and not w.is_result(target):
-        assert target.row is not None
-        keywords.write(w, node, target, target.row)
-        return
-    assert isinstance(target, (nodes.Name, nodes.Member))
+    target = meant(node.target)
+    if not isinstance(target, nodes.Name):
+        target = node.target
+        if not isinstance(target, nodes.Member):
+            named = target.symbol.name  # type: ignore[union-attr]
+            w.problem("type", f"{named} is an expression and cannot be assigned to", node)
+            return
+    elif not w.is_result(target):
+        symbol = target.symbol
+        if symbol is None and target.row is not None:
+            keywords.write(w, node, target, target.row)
+            return
+        if symbol is None:
+            unknown_name(w, target)
+            for each in node.values:
+                expressions.value(w, each)
+            return
+        if symbol.kind not in ("variable", "parameter"):
+            is_function = symbol.kind == "sub" and symbol.home.result is not None
+            what = {"const": "constant"}.get(symbol.kind, "function" if is_function else symbol.kind)
+            w.problem("read-only", f"{symbol.name} is a {what} and cannot be assigned to", target)
+            return
     noted = _begin_call(w, node)
     _give(w, node, target)
     _end_call(w, node, noted)
@@ -53,9 +69,15 @@ def _assign(w: UnitWriter, node: nodes.Assign) -> None:
 
 def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
     where, which, kind = expressions.target(w, target)
+    if len(node.values) != 1:
+        w.problem("values", f"a variable takes one value, {len(node.values)} given", node)
+        return
+    if node.repeat:
+        w.problem("values", "a ; after the value is only for keywords with axes", node)
+        return
     (given,) = node.values
     if kind.name == SEMAPHORE:
-        wanted = expressions.converted(w, expressions.value(w, given), Type(INTEGER))
+        wanted = expressions.assigned(w, expressions.value(w, given), Type(INTEGER), given)
         waiting.take_or_give(w, lambda values: where(values)[which(values)], wanted)
         return
     w.settle(given, target)
@@ -64,9 +86,13 @@ def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) 
     plain = expressions.plain_variable(w, target)
     found = (expressions.value if plain is None else expressions.linear)(w, given)
     if kind.name == RECORD:
+        if found.type != str(kind) and found is not NOTHING:
+            w.problem("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node)
         _copy(w, where, which, found.get)
         return
-    get = expressions.converted(w, found, kind)
+    get = expressions.assigned(w, found, kind, given)
+    if w.checks:
+        return
     sets = None
     if plain is not None:
         sets = w.program.places.number(plain)
@@ -93,6 +119,15 @@ def _dim(w: UnitWriter, node: nodes.Dim) -> None:
         symbol = variable.symbol
         if symbol is None or symbol.kind != "variable" or not variable.values:
             continue
+        count, given = prod(symbol.dimensions), len(variable.values)
+        if given > count:
+            has = f"has {count} elements, {given} values are" if symbol.is_array else f"is one value, {given}"
+            w.problem("values", f"{variable.name} {has} given", variable)
+            continue
+        if w.checks:
+            for each in variable.values:
+                expressions.assigned(w, expressions.value(w, each), symbol.type, each)
+            continue
         w.settle(*variable.values)
         found = expressions.values(w, variable.values)
         gets = [expressions.converted(w, each, symbol.type) for each in found]
@@ -104,7 +139,7 @@ def _dim(w: UnitWriter, node: nodes.Dim) -> None:
             plain = expressions.plain_variable(w, target)
             sets = None if plain is None else w.program.places.number(plain)
             w.add(DO, expressions.storing(w, target, where, which, gets[0]), sets=sets)
-    if node.nv:
+    if node.nv and not w.checks:
         for variable in node.variables:
             if variable.symbol is not None and variable.symbol.kind == "variable":
                 _restore(w, variable.symbol)
@@ -135,8 +170,14 @@ def _call(w: UnitWriter, node: nodes.Call) -> None:
     target = node.target
     symbol, row = target.symbol, target.row
     if symbol is None:
-        assert row is not None
-        keywords.command(w, node, row)
+        if row is None:
+            unknown_command(w, target)
+        else:
+            keywords.command(w, node, row)
+        return
+    if symbol.kind != "sub":
+        hint = f"write {symbol.name} = value to give it one" if symbol.kind == "variable" else ""
+        w.problem("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target, hint)
         return
     noted = _begin_call(w, node)
     w.settle(*(target.args or ()))
@@ -176,8 +217,10 @@ def _end_call(w: UnitWriter, node: nodes.Assign | nodes.Call, noted: int | None)
 
 
 def _run(w: UnitWriter, node: nodes.Run) -> None:
-    environment, unit = w.program.environment, w.program.unit(_task(node))
-    name = _task(node).name.lower()
+    task = task_named(w, node, node.name)
+    if task is None or w.checks:
+        return
+    environment, unit, name = w.program.environment, w.program.unit(task.home), task.name.lower()
     w.add(NOW)
     w.add(DO, lambda values: environment.start_task(name, unit))
     w.add(TURN, cost=1.0)
@@ -186,7 +229,10 @@ def _run(w: UnitWriter, node: nodes.Run) -> None:
 def _end(w: UnitWriter, node: nodes.End) -> None:
     environment = w.program.environment
     if node.name is not None:
-        name = _task(node).name.lower()
+        task = task_named(w, node, node.name)
+        if task is None or w.checks:
+            return
+        name = task.name.lower()
         w.add(NOW)
         w.add(DO, lambda values: environment.end_task(name), cost=1.0)
         return
@@ -195,13 +241,8 @@ def _end(w: UnitWriter, node: nodes.End) -> None:
     w.add(END, lambda values: environment.end_program(), role=STOP)
 
 
-def _task(node: nodes.Run | nodes.End) -> Function:
-    assert node.symbol is not None
-    return node.symbol.home
-
-
 def _nothing(w: UnitWriter, node: nodes.Stmt) -> None:
-    """Write nothing: declarations cost nothing and have no effect at run time."""
+    """Write nothing: a declaration has no effect at run time, and the parser has reported a `Wrong`."""
 
 
 Write = Callable[..., None]
@@ -233,6 +274,7 @@ _STATEMENTS: dict[type, Write] = {
     nodes.Jump: blocks.jump,
     nodes.Return: blocks.return_,
     nodes.Auto: _nothing,
+    nodes.Wrong: _nothing,
 }
 
 # Statements whose failure ONERROR can handle. The statements inside a block are guarded separately.

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.clock import INFINITY
 from motionlang.kernel.lang.steps import BEGIN, JUMP, NOTE, NOW, RETURN, Uses, Values
-from motionlang.kernel.mint.check.values import Value
-from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol, Type
+from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
@@ -27,7 +26,7 @@ _PURE = frozenset(("function", "constant"))
 
 
 class UnitWriter:
-    """Writes the steps of one function.
+    """Writes the steps of one function, or checks it.
 
     `reads`, `nonlinear`, `spans` and `parts` collect what the next step uses of the variables; `is_known` is False if
     it may use others.
@@ -53,8 +52,6 @@ class UnitWriter:
             self._ending.setdefault(each.statement.start, []).append(each)
         # The sub that was called last.
         self.callee: Function | None = None
-        # The kinds of the loops and Selects around the statement that is checked, innermost last.
-        self.loops: list[str] = []
         self.forget_uses()
 
     def forget_uses(self) -> None:
@@ -109,6 +106,8 @@ class UnitWriter:
 
     def here(self, *jumps: int) -> int:
         """Let jumps lead to the next step; return its index."""
+        if self.checks:
+            return 0
         for each in jumps:
             self.steps.set_target(each, len(self.steps))
         return len(self.steps)
@@ -157,23 +156,6 @@ class UnitWriter:
         """Report a mistake, if this is a check: a value that a run is given may be out of range."""
         if self.checks:
             self.program.names.problems.add(code, message, node.start, hint, severity)
-
-    def statements(self, rules: Mapping[type, Callable[..., None]], body: Iterable[nodes.Stmt]) -> None:
-        """Check statements in sequence."""
-        for node in body:
-            rules[node.__class__](self, node)
-
-    def value(self, node: nodes.Expr) -> Value:
-        return expressions.value(self, node)
-
-    def number(self, node: nodes.Expr, what: str = "a number") -> Value:
-        return expressions.number(self, node, what)
-
-    def condition(self, node: nodes.Expr) -> None:
-        expressions.condition(self, node)
-
-    def convert(self, found: Value, kind: Type, node: nodes.Node) -> None:
-        expressions.assigned(self, found, kind, node)
 
     # ------------------------------------------------------------------------------------------- properties
 

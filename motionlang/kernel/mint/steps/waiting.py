@@ -56,6 +56,8 @@ def pause(w: UnitWriter, node: nodes.Pause) -> None:
         _pause_by_ticks(w, node.condition)
         return
     holds = expressions.condition(w, node.condition)
+    if w.checks:
+        return
     environment, why = w.program.environment, f"until {shown(node.condition)}"
     axes = _at_rest(node.condition)
     ignores_data = bool(axes) or _ignores_data(node.condition)
