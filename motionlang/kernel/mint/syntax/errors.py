@@ -402,7 +402,8 @@ class _Reader:
         if "THEN" in kinds and self._is_of_one_line(behind, end) and self._add_then(behind, end):
             return behind
         for words in block_words([*self.kinds[self.start : end], *_quoted(self.tokens[end])]):
-            if self._replace(self._written(self._shortest(words), end), end + 1):
+            line = self._shortest(words)
+            if line and self._replace(self._written(line, end), end + 1):
                 return self.start
         return self._skip(at)
 
@@ -481,10 +482,16 @@ class _Reader:
         return True
 
     def _shortest(self, words: Sequence[str]) -> list[str]:
-        """Return the kinds of the shortest line that begins with some words, these alone if they do not fit."""
+        """Return the kinds of the shortest line that begins with some words, these alone if they do not fit.
+
+        It is empty if no such line has an end.
+        """
         line, stack = list(words), self.mark.after(Token(word, "") for word in words)
         while stack is not None and line[-1] != "_NL":
-            line.append(next(kind for kind in _IN_LINES if stack.feed(Token(kind, ""))))
+            kind = next((kind for kind in _IN_LINES if stack.feed(Token(kind, ""))), "")
+            if not kind:  # as in `Type(0) =`
+                return []
+            line.append(kind)
         return line
 
     def _written(self, kinds: Sequence[str], end: int) -> list[Token]:
