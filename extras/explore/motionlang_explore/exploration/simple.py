@@ -140,7 +140,8 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         for settings, other in starts:
             if explorer.has_work:
                 tried.append((_tried(explorer, settings, least), other))
-        best, world = max([(best, world), *tried], key=lambda each: each[0].value)
+        others = (each for each in tried if not _gives_up(each[0], first))
+        best, world = max([(best, world), *others], key=lambda each: each[0].value)
         # Where less answers the program waits sooner.
         starting = {each[0].begun: each for each in tried}.values()
         most = explorer.most(share)
@@ -149,7 +150,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
                 break
             start = _within_limits(explorer, channels, start, least)
             climbed = _climbed(explorer, channels, start, least, most)
-            if climbed.value > best.value:
+            if climbed.value > best.value and not _gives_up(climbed, first):
                 best, world = climbed, other
     if best is first or best.is_good < first.is_good or best.value < first.value + MORE:
         return found
@@ -241,13 +242,18 @@ def _judges(explorer: Explorer, one: Tried, other: Tried) -> bool:
     """True if two runs take two branches of a judgement: each does something that the other does not, and is good.
 
     To say nothing but at the start is a branch, too, where the other one says what is right. What ends the program is
-    none.
+    none, nor what gives up.
     """
     mine, others = (_acts(explorer, each.run)[0] for each in (one, other))
-    ends = other.run.status == "ended" != one.run.status
+    ends = other.run.status == "ended" != one.run.status or _gives_up(other, one)
     is_silent = not _says(mine) and _says(others)
     differs = bool(others.keys() - mine.keys()) and (is_silent or bool(mine.keys() - others.keys()))
     return other.is_good and not ends and differs
+
+
+def _gives_up(other: Tried, good: Tried) -> bool:
+    """True if a run moves much less often than a good one."""
+    return good.is_good and other.times < HALF * good.times
 
 
 def _says(right: Counter[tuple[str, object]]) -> bool:

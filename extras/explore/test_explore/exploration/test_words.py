@@ -26,6 +26,9 @@ pièce coincée
 tapis bloqué
 CARTER OUVERT
 Schutzhaube offen
+torn skin
+Fell gerissen
+peau déchirée
 """
 RIGHT = """\
 6 out of 10 done
