@@ -46,8 +46,8 @@ KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
 # Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
 _NAMED = (
     r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke"
-    r"|stuck|hangs|lost|empty"
-    r"|emergency|refus|abort|abandon|\bheld\b|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)|binned|crack|spoil|\btorn\b"
+    r"|stuck|hangs|lost|empty|emergency|refus|abort|abandon|\bheld\b|binned|crack|spoil|\btorn\b"
+    r"|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)"
     r"|\bout of (?:register|size|range|tolerance|limits?)\b"
     r"|\berr\b|\bflt\b|\balm\b|\bn\.?i\.?o\b|st(?:oe|ö)rung|fehler|fehlt|ausschu(?:ss|ß)|not-?aus|klemmt|h(?:ae|ä)ngt|gerissen"
     r"|d[ée]faut|erreur|rebut|\bpanne\b|manqu|coinc[ée]|bloqu|d[ée]chir|hors (?:tol|lim|cote)"
