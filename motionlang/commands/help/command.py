@@ -166,9 +166,11 @@ examples:
         return found, omitted
 
     def _named(self, name: str) -> dict[str, Keyword]:
-        """Return the keyword of each language that has one of this name, or that of a command of MCCL."""
+        """Return the keyword of each language that has one of this name, or that of its block or command."""
         tables = self._tables()
         found = {each: row for each, table in tables.items() if (row := table.get(name)) is not None}
+        opened = ((each, tables[each].get(dialect(each).opener(name))) for each in tables if not found)
+        found |= {each: row for each, row in opened if row is not None}
         command = MCCL.fullmatch(name)
         if not found and command is not None and "mccl" in tables:
             row = tables["mccl"].get(command[1])

@@ -175,6 +175,10 @@ class Dialect:
         """Return the vocabulary."""
         raise NotImplementedError
 
+    def opener(self, word: str) -> str:
+        """Return the keyword of the block that a word closes or continues, such as WHILE for ENDW; "" for others."""
+        return ""
+
     def locate(self, source: Source, at: int) -> tuple[int, int, int]:
         """Return line, column and length of the source position `at` of a task or a node."""
         raise NotImplementedError

@@ -71,6 +71,12 @@ class Mint(Dialect):
     def compiled_in(self, key: str) -> bool:
         return key in ("controller.axes", "fault") or key.startswith("mint.")
 
+    def opener(self, word: str) -> str:
+        from motionlang.kernel.mint.syntax.blocks import CLOSERS, OPENERS
+
+        kind = "".join(word.upper().split())
+        return OPENERS.get(CLOSERS.get(kind, kind.removeprefix("END") if kind.startswith("END") else ""), "")
+
     def models(self) -> tuple[str, ...]:
         from motionlang.kernel.mint.models import NAMES, PRODUCTS
 

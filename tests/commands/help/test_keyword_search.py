@@ -85,6 +85,13 @@ def test_a_part_of_the_nearest_keyword_is_a_misspelt_one(cell: Cell) -> None:
     assert "did you mean SPEED?" in ran.err
 
 
+@pytest.mark.parametrize(
+    ("word", "opener"), [("ENDW", "While"), ("end if", "If"), ("ENDL", "Loop"), ("EndTask", "Task")]
+)
+def test_a_word_that_closes_a_block_is_that_of_the_block(word: str, opener: str, cell: Cell) -> None:
+    assert cell("help", word).out.startswith(f"{opener} · Mint statement\n")
+
+
 def test_what_nothing_describes_is_unknown(cell: Cell) -> None:
     ran = cell("help", "xyzzy frobnicate")
     assert ran.status == 1
