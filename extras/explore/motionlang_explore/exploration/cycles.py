@@ -11,6 +11,7 @@ import re
 from collections import defaultdict, deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from math import fsum
 from typing import NamedTuple
 
 from motionlang.kernel.lang import Named
@@ -384,6 +385,6 @@ def _value(
         value -= CUT * each.is_cut + SECOND * each.seconds
         value -= STATE * (not answers)
     said = _said(transitions)
-    faults = sum(each.faults + (0 if known.stops else each.stops) for each in transitions)
+    faults = fsum(each.faults + (0 if known.stops else each.stops) for each in transitions)
     value -= WRONG * (1.0 + faults / len(said)) if faults else -_praise(said)
     return value + STATE - SWITCHED * len(outputs)

@@ -507,7 +507,7 @@ class Explorer:
                 acts,
                 said,
                 wrong(said),
-                sum(map(has_stopped, said)),
+                len([each for each in said if has_stopped(each)]),
                 fails or bool(handled),
                 visit,
                 is_later,

@@ -84,11 +84,10 @@ class Transition:
 
     `causes` are the changes of the world, none if it comes by itself. `target` is None if the program ends. `lines` are
     those that move an axis, in order, `work` those that do more than a homing, `done` those with a move that ends by
-    itself; `outputs` are switched on. `acts` are the moves, outputs and printed lines in order, `said`
-    the lines alone; `faults` is how often these say that something is wrong, `stops` how many say that the machine has
-    stopped. `is_cut` is True if a
-    handler ran that commands anything, or a fault cut off a move. `visit` is that of the source from which it was
-    found, `is_later` if that is no shortest one. `begun` are the source offsets of the statements that began.
+    itself; `outputs` are switched on. `acts` are the moves, outputs and printed lines in order, `said` the lines alone;
+    `faults` is how often these say that something is wrong, `stops` how many say that the machine has stopped. `is_cut`
+    is True if a handler ran that commands anything, or a fault cut off a move. `visit` is that of the source from which
+    it was found, `is_later` if that is no shortest one. `begun` are the source offsets of the statements that began.
     `is_by_itself` is True if the stay ends without the changes at that time. Two transitions do the same if `does` is
     equal. `variants` are other values of the same channels with which the same happens.
     """
