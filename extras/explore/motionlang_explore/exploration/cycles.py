@@ -50,7 +50,7 @@ _NAMED = (
     r"|stuck|hangs|lost|empty|emergency|refus|abort|abandon|\bheld\b|binned|crack|spoil|\btorn\b"
     r"|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)"
     r"|\bout of (?:register|size|range|tolerance|limits?)\b"
-    r"|\berr\b|\bflt\b|\balm\b|\bn\.?i\.?o\b|st(?:oe|ö)rung|fehler|fehlt|ausschu(?:ss|ß)|not-?aus|klemmt|h(?:ae|ä)ngt|gerissen"
+    r"|\berr\b|\bflt\b|\balm\b|\bn\.?i\.?o\b|st(?:oe|ö)rung|fehler|fehlt|ausschu(?:ss|ß)|not-?aus|klemmt|h(?:ae|ä)ngt|gerissen|abbruch"
     r"|d[ée]faut|erreur|rebut|\bpanne\b|manqu|coinc[ée]|bloqu|d[ée]chir|hors (?:tol|lim|cote)"
     r"|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
     r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"

@@ -491,7 +491,9 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     moved = [each.start_time for each in run.machine.log.moves]
     if not moved or any(each.time >= min(moved) for each in run.machine.log.prints):
         return ""
-    stands_still = 2 * max(moved) < run.time and often[MOVE] + often[JOG] < ENOUGH
+    scheduler = run.machine.scheduler
+    waits = scheduler is not None and not all(task.done for task in scheduler.tasks)
+    stands_still = waits and 2 * max(moved) < run.time and often[MOVE] + often[JOG] < ENOUGH
     if run.status != "ended" and (is_silent or stands_still):
         return SILENT
     if not (often[MOVE] or often[JOG]):

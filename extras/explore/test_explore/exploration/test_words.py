@@ -28,6 +28,7 @@ CARTER OUVERT
 Schutzhaube offen
 torn skin
 Fell gerissen
+Abbruch 2 an Seite 1
 peau déchirée
 """
 RIGHT = """\
