@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Generator
 
     from motionlang.kernel import Outside, Program, Run
+    from motionlang.kernel.lang.scheduler import Stuck
 
 TESTS = Path(__file__).parent / "tests"
 # The tests of a distribution that is not installed are run only if they are named.
@@ -95,7 +96,7 @@ def _prove_every_run() -> None:
         until: float | None,
         pace: Callable[[float], None] | None,
         outside: Outside | None,
-    ) -> None:
+    ) -> Stuck | None:
         from motionlang.kernel.controller import MotionListener
         from tests.proof.checks import prove
         from tests.proof.expected_motion import ExpectedMotion
@@ -108,12 +109,13 @@ def _prove_every_run() -> None:
         expected = ExpectedMotion(result.controller) if is_proved else None
         if expected is not None:
             result.controller.motion_listener = expected
-        execute(result, compiled, until, pace, outside)
+        stuck = execute(result, compiled, until, pace, outside)
         if expected is not None:
             result.controller.motion_listener = MotionListener()
         if expected is not None and not expected.is_full and not result.controller.log.moves.first:
             found = prove(result.controller, expected, result.machine.clock.now).violations
             assert not found, [f"{each.line}: {each.message}" for each in found]
+        return stuck
 
     execution._execute = proved
 
