@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from motionlang.kernel.execution import CheckedSettings as CheckedSettings
     from motionlang.kernel.execution import checked_settings as checked_settings
     from motionlang.kernel.execution import end_of as end_of
-    from motionlang.kernel.execution import go_on as go_on
     from motionlang.kernel.execution import run as run
     from motionlang.kernel.execution import run_on as run_on
     from motionlang.kernel.execution import settings_next_to as settings_next_to
@@ -87,7 +86,7 @@ PUBLIC = {
     "lang.program": "Program",
     "lang.steps": "Steps",
     # Runs.
-    "execution": "run run_on go_on CheckedSettings end_of ONE_SHIFT settings_next_to checked_settings",
+    "execution": "run run_on CheckedSettings end_of ONE_SHIFT settings_next_to checked_settings",
     "result": "Run",
     "run_notes": "who_ended",
     "assumptions.used": "depended_on",

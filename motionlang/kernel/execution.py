@@ -119,26 +119,28 @@ def run(
     return result
 
 
-def go_on(
-    source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
-) -> Run:
-    """Continue a run from the state of its machine, which may have been put back; the result has no notes."""
-    result = Run(source, language, machine)
-    result.program = program
-    _perform(result, program, until)
-    machine.close_terminals()
-    result.time = machine.clock.now
-    return result
-
-
 def run_on(
-    source: Source, language: Dialect, program: Program, machine: Machine, until: float | None = None
+    source: Source,
+    language: Dialect,
+    program: Program,
+    machine: Machine,
+    until: float | None = None,
+    *,
+    has_notes: bool = True,
 ) -> Run:
-    """Continue a run like `go_on`, with notes."""
+    """Continue a run from the state of its machine, which may have been put back; return another result.
+
+    Without notes it has no hint at what would end its last wait either: many runs are continued only to be read.
+    """
     result = Run(source, language, machine)
     result.program = program
-    _report(result, _perform(result, program, until))
-    _finish(result, machine.settings)
+    stuck = _perform(result, program, until)
+    if has_notes:
+        _report(result, stuck)
+        _finish(result, machine.settings)
+    else:
+        machine.close_terminals()
+        result.time = machine.clock.now
     return result
 
 

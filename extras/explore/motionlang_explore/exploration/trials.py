@@ -15,7 +15,7 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.comparison.texts import described, plain
-from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, go_on, run
+from motionlang.kernel import CheckedSettings, Machine, Program, Run, dialect, run, run_on
 from motionlang.kernel.lang import Snapshot
 from motionlang.kernel.log import LoggedMove, Printed, Switched, Waited
 from motionlang.kernel.planners import Profile
@@ -378,7 +378,8 @@ class Trials:
     def _run_on(self, machine: Machine, until: float) -> Run:
         program = self.program
         self.work += GO_ON
-        return self._noted(go_on(program.source, dialect(program.language), program, machine, until))
+        language = dialect(program.language)
+        return self._noted(run_on(program.source, language, program, machine, until, has_notes=False))
 
     def _noted(self, result: Run) -> Run:
         if result.status == "interrupted":
