@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from motionlang.kernel.controller.clock import INFINITY
@@ -11,15 +12,10 @@ from motionlang.kernel.lang.steps import BEGIN, JUMP, NOTE, NOW, RETURN, Uses, V
 from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
-from motionlang.kernel.mint.syntax.traversal import meant
+from motionlang.kernel.mint.syntax.traversal import meant, walk
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.steps.program import ProgramWriter
-
-
-from dataclasses import dataclass
-
-from motionlang.kernel.mint.syntax.traversal import walk
 
 # Words of the language that neither read the machine nor act on it.
 _PURE = frozenset(("function", "constant"))
