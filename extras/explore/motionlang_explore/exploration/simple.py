@@ -99,7 +99,7 @@ class Tried(NamedTuple):
     settings: Settings
     run: Run
     begun: frozenset[int]
-    read: Mapping[Channel, Sequence[ReadSpan]]
+    read: dict[Channel, list[ReadSpan]]
     times: int
     faults: float
     share: float
@@ -329,7 +329,7 @@ def _climbed(
     stage, before = 0, best.value
     while True:
         events = sorted(explorer.triggers | explorer.latches)
-        read = [*reversed([*best.read]), *(("input", each) for each in events)]
+        read = [*reversed(best.read), *(("input", each) for each in events)]
         ones = [(each,) for each in dict.fromkeys(read) if each in channels]
         for some in _pairs(explorer, channels) if stage == PAIRS else ones:
             for settings in [*_others(explorer, some, best)][
@@ -494,9 +494,11 @@ def fault_of(explorer: Explorer, run: Run) -> str:
         return ""
     scheduler = run.machine.scheduler
     waits = scheduler is not None and not all(task.done for task in scheduler.tasks)
-    stands_still = waits and 2 * max(moved) < run.time and often[MOVE] + often[JOG] < ENOUGH
-    if run.status != "ended" and (is_silent or stands_still):
+    is_stuck = waits and (run.status == "fault" or 2 * max(moved) < run.time)
+    if run.status != "ended" and is_silent:
         return SILENT
+    if is_stuck and often[MOVE] + often[JOG] < ENOUGH:
+        return f"begins no move after {max(moved):.4g} s"
     if not (often[MOVE] or often[JOG]):
         return "only homes"
     return ""
@@ -577,11 +579,8 @@ def _rules(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Entry]
         yield {**COUNTED}
     yield from _marks(best.run, explorer.marks.get(channel[1], ()))
     yield from explorer.likely.rules(channel[1])
-    yield {}
-    last, *others = [*_followed(best, channel)] or [{}]
-    yield last
-    yield from ({**PULSES}, {**ON, "for": PUSH})
-    yield from others
+    followed = [*_followed(best, channel)]
+    yield from ({}, *followed[:1], {**PULSES}, {**ON, "for": PUSH}, *followed[1:])
     for axis, way in _ways(best.run).items():
         middle = round((min(way.places) + max(way.places)) / 2, 2)
         yield {"axis": axis, "above": middle}
@@ -639,9 +638,8 @@ def _values(explorer: Explorer, channel: Channel, best: Tried) -> list[Any]:
         return list(solved)
     if channel[0] == "analogue":
         usual = _with(best.settings, channel, {"value": USUAL, **ON})
-        compared = levels(
-            explorer.trials.play_in(usual, LENGTH)
-        )  # a peak of nothing would not be one of a reading
+        # Without a level the peak of what is read would be no reading.
+        compared = levels(explorer.trials.play_in(usual, LENGTH))
         read = (each.value for each in compared if each.channel == channel)
         return sorted({*map(float, (*solved, *read, *explorer.levels[channel])), USUAL})
     is_real = channel[0] != "netdata" or any(isinstance(each, float) for each in solved)

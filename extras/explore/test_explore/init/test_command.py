@@ -579,6 +579,40 @@ def test_a_machine_that_only_rejects_is_no_success(cell: Cell) -> None:
     assert line.startswith("no good piece was found; the best cycle prints 'reject': ")
 
 
+def test_what_a_task_says_that_leads_another_one_counts(cell: Cell) -> None:
+    """It moves nothing and waits for no more than time, but another task waits for what it sets."""
+    cell.write(
+        "old.mnt",
+        """\
+Dim asked As Integer, done As Integer, waiting As Integer
+Run Spindle
+Loop
+  If INX(1) And Not waiting Then done = 0 : waiting = 1 : asked = 1
+  If waiting And done Then waiting = 0 : Print "lens scrapped"
+  Wait(10)
+End Loop
+Task Spindle
+  Loop
+    Pause asked
+    asked = 0
+    MOVER(0) = 20 : GO(0) : Pause IDLE(0)
+    done = 1
+  End Loop
+End Task
+""",
+    )
+    ran = cell("init", "old.mnt", "--format", "none")
+    assert "note: no good piece was found: the best cycle prints 'lens scrapped'\n" in ran.err
+    assert ran.status == 1
+
+
+def test_a_silent_machine_that_soon_stands_still_makes_no_piece(cell: Cell) -> None:
+    cell.write("old.mnt", "Loop\nPause INX(1)\nMOVER(0) = 5 : GO(0)\nPause ADC(1) > 200\nEnd Loop\n")
+    ran = cell("init", "old.mnt", "--format", "none")
+    assert "note: no good piece was found: the best cycle begins no move after 0.3 s\n" in ran.err
+    assert ran.status == 1
+
+
 def test_a_hyphen_of_a_word_is_no_minus() -> None:
     assert [slug(each) for each in ("-", "answer -5", "re-load part", "stop +")] == [
         "minus", "answer-minus-5", "re-load-part", "stop-plus"
