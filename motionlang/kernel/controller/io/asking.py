@@ -17,8 +17,9 @@ If there are none, or it cannot be known, it changes to its other level. If anot
 the present level, the change is made once that one no longer asks.
 
 Invariants.
-- A query ends when its value changes, whatever changes it. So a rule never acts earlier than its time after the last
-  change, and a statement that is passed once between two changes does not poll.
+- A query ends when its value changes, whatever changes it, and begins anew when another input has changed the result
+  of its condition. So a rule never acts earlier than its time after the last change, and a statement that is passed
+  once between two changes does not poll.
 - Nothing polls: a query schedules one event of the clock, when its asking is known, and reads find out the rest. A
   further read of a wait costs no more than two lookups.
 - An event is scheduled before a loop can be skipped. Iterations that are skipped count as reads (`skipped`).
@@ -96,9 +97,13 @@ class Query:
 
     # Of a task that polls: how many reads there were, and the longest time between two.
     count, period = 1, 0.0
+    # The result of the condition when it was looked at last.
+    result: bool | None = None
     event: TimedCall | None = None
-    # Why it is not answered now: it was not needed with these levels, or another one has asked for longer.
+    # Why it is not answered now: it was not needed with these levels and that result, or another one has asked for
+    # longer.
     levels: object = None
+    unneeded: bool | None = None
     blocker: Query | None = None
 
     def __init__(
@@ -363,7 +368,10 @@ class Asking:
         if (query.wait is None and query.count < MIN_READS) or not rule.may_act(now):
             return True
         if not self._needs_other(responder, query):
-            query.levels = self._controller.inputs.values
+            query.levels, query.unneeded = self._controller.inputs.values, query.result
+            return True
+        if query.unneeded not in (None, query.result):  # another input has changed the result: it asks anew
+            query.since, query.unneeded = now, None
             return True
         for each in responder.queries():
             if (
@@ -399,6 +407,7 @@ class Asking:
         with reads.replaced(lambda table, number: read.add(number) if table == "input" else None):
             try:
                 result = bool(condition())
+                query.result = result
                 if len(read) == 1 or len(read) > MAX_INPUTS:
                     return []
                 for count in range(1, MAX_CHANGES + 1):
