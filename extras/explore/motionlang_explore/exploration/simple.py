@@ -49,6 +49,7 @@ from motionlang_explore.exploration.states import DELAY
 from motionlang_explore.exploration.trials import (
     ENDLESS,
     SHORTEST_MOVE,
+    asks,
     is_short_move,
 )
 from motionlang_explore.exploration.values import is_probe, levels, probe_of, solved
@@ -94,6 +95,7 @@ class Tried(NamedTuple):
     `read` is when it reads each channel, in the order in which it reads them first, or last before it says what is
     wrong or waits for ever.
     `times` is how often the line moves an axis that does so most often, `faults` how much it says of what is wrong.
+    It `stands` if it waits for ever, but for a person's answer.
     """
 
     settings: Settings
@@ -105,6 +107,7 @@ class Tried(NamedTuple):
     share: float
     value: float
     is_good: bool
+    stands: bool
 
 
 def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[MachineCycle]) -> FoundWorld:
@@ -359,7 +362,8 @@ def _does_work(explorer: Explorer, tried: Tried) -> bool:
     """True if a run does good work; one that says nothing has to switch on most of the outputs of the work."""
     right, outputs = _acts(explorer, tried.run)[0], _outputs(explorer)
     switched = [each for each in outputs if (OUTPUT, each) in right]
-    return tried.is_good and (_says(right) or len(outputs) < 2 or 2 * len(switched) > len(outputs))
+    does_all = _says(right) or len(outputs) < 2 or 2 * len(switched) > len(outputs)
+    return tried.is_good and not tried.stands and does_all
 
 
 def _is_enough(tried: Tried) -> bool:
@@ -404,7 +408,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     trouble = min(_times(explorer, run, faults), default=run.time)
     if is_stuck or faults:
         read = {each: read[each] for each in sorted(read, key=partial(_last_read, read, trouble))}
-    never = is_stuck and done < ENOUGH
+    never, stands = is_stuck and done < ENOUGH, is_stuck and not asks(run)
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
@@ -414,7 +418,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(statements), 1)
-    value = WHOLE * share + ENDS * has_ended - NEVER * never - NOTHING * (not works)
+    value = WHOLE * share + ENDS * has_ended - NEVER * (never or stands) - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
     value += RIGHT * any(is_right(str(text)) for kind, text in right if kind == SAID)
     # What stops for ever behind what is wrong says it once.
@@ -423,7 +427,9 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
     value -= ENTRY * fsum(_cost(*each) for each in made)
     is_good = works and not (never or fault_of(explorer, run))
-    return Tried(settings, run, frozenset(begun), read, times, wrongs, share, round(value, 6), is_good)
+    return Tried(
+        settings, run, frozenset(begun), read, times, wrongs, share, round(value, 6), is_good, stands
+    )
 
 
 def _times(explorer: Explorer, run: Run, faults: Collection[str]) -> Iterator[float]:

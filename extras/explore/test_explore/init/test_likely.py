@@ -209,3 +209,52 @@ End Loop
     report = json.loads(cell("run", "old.mnt", "--until", "30", "--format", "json").out)
     switched = [each["channel"] for each in report["switched"] if each["value"]]
     assert (switched.count(5) >= 3, 6 in switched) == (True, False)
+
+
+def test_a_machine_goes_on_after_its_tool_change(cell: Cell) -> None:
+    """With the reset on for ever it makes eight pieces; the door must not open in between."""
+    cell.write(
+        "old.prg",
+        """\
+AUTO
+REM  I/P 0  FOOT SWITCH   1  DOOR (1 = OPEN)   2  PART IN NEST   5  RESET BUTTON
+REM  O/P 1  NEST VACUUM   4  GREEN LAMP
+SPEED.0 = 300 : ACCEL.0 = 3000 : DECEL.0 = 3000
+prints = 0 : open = 0 : was = 0
+LOOP
+  IF INX.1 DO
+    IF open = 0 THEN PRINT "DOOR OPEN"
+    open = 1 : OUTX.4 = 0
+  ELSE
+    open = 0
+  ENDIF
+  IF open = 0 DO
+    OUTX.4 = 1
+    IF INX.2 = 1 AND INX.0 = 1 AND was = 0 THEN GOSUB STAMP
+    was = INX.0
+  ENDIF
+  WAIT = 10
+ENDL
+END
+
+#STAMP
+  OUTX.1 = 1
+  MOVEA.0 = 55 : GO.0 : PAUSE IDLE.0
+  WAIT = 150
+  MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+  OUTX.1 = 0
+  PAUSE INX.2 = 0
+  prints = prints + 1
+  PRINT "print ok"
+  IF prints >= 8 DO
+    PRINT "CHANGE PAD THEN RESET"
+    PAUSE INX.5
+    PAUSE INX.5 = 0
+    prints = 0
+  ENDIF
+RETURN
+""",
+    )
+    assert cell("init", "old.prg", "--format", "none").status == 0
+    printed = cell("run", "old.prg", "--until", "30").out.splitlines()
+    assert (printed.count("print ok") > 16, "DOOR OPEN" in printed) == (True, False)
