@@ -50,7 +50,7 @@ from motionlang_explore.exploration.changes import (
     number_in,
     tables_of,
 )
-from motionlang_explore.exploration.cycles import MachineCycle, alarms_in, is_wrong
+from motionlang_explore.exploration.cycles import MachineCycle
 from motionlang_explore.exploration.exploration import Exploration, PlayedTimeline
 from motionlang_explore.exploration.exploring import (
     SECONDS,
@@ -84,6 +84,7 @@ from motionlang_explore.exploration.trials import (
     asks,
 )
 from motionlang_explore.exploration.values import is_probe
+from motionlang_explore.exploration.words import is_wrong, names_alarm
 from motionlang_explore.exploration.world import FoundWorld
 from motionlang_explore.identification import Entry
 
@@ -114,7 +115,6 @@ __all__ = [
     "Transition",
     "Trial",
     "Visit",
-    "alarms_in",
     "asks",
     "entries",
     "explore",
@@ -124,6 +124,7 @@ __all__ = [
     "is_wrong",
     "keys_of",
     "lines_of",
+    "names_alarm",
     "number_in",
     "statements_of",
     "tables_of",

@@ -7,17 +7,16 @@ counts against it, and a handler or a fault much more.
 
 from __future__ import annotations
 
-import re
 from collections import defaultdict, deque
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from math import fsum
 from typing import NamedTuple
 
-from motionlang.kernel.lang import Named
 from motionlang_explore.exploration.changes import Channel
 from motionlang_explore.exploration.rests import RestState
 from motionlang_explore.exploration.states import StateNode, Transition, Visit, Work
+from motionlang_explore.exploration.words import is_right, speaks, wrong
 
 # The longest cycle, in transitions, and the largest number of cycles that are compared.
 MAX_LENGTH, MAX_CYCLES = 8, 20_000
@@ -44,33 +43,6 @@ PIECE, PIECES = 5.0, 20
 # Of cycles that are alike otherwise the one counts more that keeps fewer inputs, switches fewer outputs, and takes less
 # time, s.
 KEPT, SWITCHED, SECOND = 0.0001, 0.001, 0.001
-# Words of what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and of what there is not ("no part").
-_NAMED = (
-    r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke"
-    r"|stuck|hangs|lost|empty|emergency|refus|abort|abandon|\bheld\b|binned|crack|spoil|\btorn\b"
-    r"|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)"
-    r"|\bout of (?:register|size|range|tolerance|limits?)\b"
-    r"|\berr\b|\bflt\b|\balm\b|\bn\.?i\.?o\b|st(?:oe|ö)rung|fehler|fehlt|ausschu(?:ss|ß)|not-?aus|klemmt|h(?:ae|ä)ngt|gerissen|abbruch"
-    r"|d[ée]faut|erreur|rebut|\bpanne\b|manqu|coinc[ée]|bloqu|d[ée]chir|hors (?:tol|lim|cote)"
-    r"|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b|(?<!under )guard(?=\W*$)"
-    r"|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))"
-    r"|(?:carter|capot|porte|grille)(?=\W+(?:est\W+)?ouvert)"
-    r"|(?:t(?:ü|ue)r|haube|schutz\w*)(?=\W+(?:ist\W+)?(?:offen|auf\b))"
-)
-_WRONG = re.compile(
-    rf"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?:{_NAMED})(?!\w*\W{{1,12}}0\b(?![.,]\d))"
-    rf"|(?:\bnot?|n't)\b(?!\W*(?:\d|{_NAMED}))",
-    re.IGNORECASE,
-)
-_RIGHT = re.compile(r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b", re.IGNORECASE)
-# What a program says when it stops, but for its start.
-_STOPPED = re.compile(r"stopped|\bstop (?:pressed|button|key)", re.IGNORECASE)
-# Words in the name of an output that is switched on when something is wrong.
-_ALARM = re.compile(
-    r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer"
-    r"|st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe|d[ée]faut|rebut|rouge|mauvais|klaxon",
-    re.IGNORECASE,
-)
 # States that a person leaves by something that is right: what ends such a stay by itself is a time-out.
 Left = Collection[RestState | None]
 # Work is faster than other work if it takes this share of its time.
@@ -123,12 +95,6 @@ class MachineCycle:
     def repeats(self) -> bool:
         """True if it returns to its first state; False if it is one run of the program."""
         return not self.transitions or self.transitions[-1].target is not None
-
-
-def alarms_in(names: Iterable[Named]) -> frozenset[int]:
-    """Return the outputs whose names in comments say that something is wrong."""
-    kinds = ("output", "channel")
-    return frozenset(each.number for each in names if each.kind in kinds and _ALARM.search(each.name))
 
 
 class _Known(NamedTuple):
@@ -320,39 +286,9 @@ def _said(transitions: Iterable[Transition]) -> list[str]:
     return [text for each in transitions for text in each.said]
 
 
-def is_wrong(said: str) -> bool:
-    """True if words say that something is wrong, or that the machine has stopped."""
-    return bool(wrong([said])) or has_stopped(said)
-
-
-def has_stopped(said: str) -> bool:
-    """True if words say that the machine has stopped."""
-    return bool(_STOPPED.search(said))
-
-
 def _praise(said: Iterable[str]) -> float:
     words = list(filter(speaks, said))
     return SAID * bool(words) + RIGHT * any(map(is_right, words))
-
-
-def names_alarm(text: str) -> bool:
-    """True if a text has a name of something that is on when something is wrong."""
-    return bool(_ALARM.search(text))
-
-
-def speaks(said: str) -> bool:
-    """True if a line has words; a number alone may be the code of a fault."""
-    return any(map(str.isalpha, said))
-
-
-def is_right(said: str) -> bool:
-    """True if words say that something is right."""
-    return bool(_RIGHT.search(said))
-
-
-def wrong(said: Iterable[str]) -> int:
-    """Return how often words say that something is wrong."""
-    return sum(len(_WRONG.findall(each)) for each in said)
 
 
 def _value(

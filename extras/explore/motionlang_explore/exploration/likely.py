@@ -2,7 +2,7 @@
 
 A sensor follows the output whose name shares a word with its own (`probe down` – `probe`), or the output that the text
 switches last before it looks at the input. A start button is pushed, a guard is on, a full box is not there. The words
-are those of three languages, and only a first guess: what is played decides.
+(`words.py`) are only a first guess: what is played decides.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from motionlang.kernel import Source
 from motionlang.kernel.lang import WRITE, Named, Structure
 from motionlang_explore.exploration.states import DELAY
+from motionlang_explore.exploration.words import ABSENT, BACK, BAD, BY_HAND, COMMON, GOOD, SHOWN, STEADY
 from motionlang_explore.identification import Entry
 
 # A sensor behind an output takes so long, s, and a push of a button.
@@ -24,42 +25,8 @@ ON: Entry = {"at": 0.0}
 ASKED: Entry = {"asked": DELAY}
 PUSHED: Entry = {**ASKED, "for": PUSH}
 QUICK: Entry = {"asked": 0.02}
-# Words in English, German and French, in the names of what a person pushes, of what is on in a good machine, of what is
-# there in a bad one, of what is on while its output is off, and of outputs that only show something.
-_PUSHED = re.compile(
-    r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|reset|ack|push|changed|tast|knopf|fu(?:ss|ß)|quit"
-    r"|poussoir|bouton|p[ée]dale|d[ée]part|acquit|r[ée]arm",
-    re.IGNORECASE,
-)
-_STEADY = re.compile(
-    r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health|emerg|auto"
-    r"|halt|t(?:ü|ue)r\b|schutz|haube|bereit|luft|druck|arr[êe]t|urgence|porte|capot|ferm|pression|pr[êe]t",
-    re.IGNORECASE,
-)
-_ABSENT = re.compile(
-    r"open|full|\blow\b|empty|broke|\bjam|\bjog|spare|reserve|fault|setup|offen|voll|leer|bruch|tipp|ouvert|plein|vide"
-    r"|cass|bourr",
-    re.IGNORECASE,
-)
-_BACK = re.compile(
-    r"\bup\b(?! to)|home|\bback|open|retract|releas|raised|oben|zur(?:ü|ue)ck|offen|haut|arri[èe]re",
-    re.IGNORECASE,
-)
-_SHOWN = re.compile(
-    r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b|leuchte|hupe|voyant|lampe", re.IGNORECASE
-)
-# What a remark behind a name says of a level, such as (0 = shut), and words for the level in a good machine and in a
-# bad one.
+# What a remark behind a name says of a level, such as (0 = shut).
 _LEVELS = re.compile(r"\W{1,3}([01]) *= *([^\W\d]+)(?:\W{1,3}([01]) *= *([^\W\d]+))?")
-_GOOD = re.compile(r"shut|clos|free|clear|ok|good|zu$|frei|gut|in$|ferm|libre|bon", re.IGNORECASE)
-_BAD = re.compile(
-    r"open|interr|broke|low|empty|stop|halt|fault|offen|unterbr|bruch|leer|ouv|coup|cass|vide", re.IGNORECASE
-)
-# What names of inputs and outputs share by chance.
-_COMMON = re.compile(
-    r"air|and|der|des|for|from|has|inp|input|left|les|off|out|output|part|piece|ready|right|sensor|sol|switch|teil|the"
-    r"|valve|when|wire|with"
-)
 # Where a word of doorClosed or di_Door begins.
 _WORD = re.compile(r"(?<=[a-z])(?=[A-Z])|_")
 
@@ -94,10 +61,10 @@ class Likely:
         ]
         shares.sort(key=lambda output: output not in before)
         levels: list[Entry] = [{}, {"value": 0}]
-        if _BACK.search(name):
+        if BACK.search(name):
             levels.reverse()
         behind = [{"output": each, "delay": SOON, **level} for each in shares[:2] for level in levels]
-        by_word: tuple[tuple[re.Pattern[str], Entry], ...] = ((_ABSENT, {}), (_STEADY, ON), (_PUSHED, PUSHED))
+        by_word: tuple[tuple[re.Pattern[str], Entry], ...] = ((ABSENT, {}), (STEADY, ON), (BY_HAND, PUSHED))
         said = [self._steady[number]] if number in self._steady else []
         said += [{**rule} for words, rule in by_word if words.search(name)]
         others = [
@@ -116,7 +83,7 @@ def _good_level(remark: str) -> bool | None:
     found = _LEVELS.match(remark)
     said = [] if found is None else [*zip(found.groups()[::2], found.groups()[1::2], strict=True)]
     for level, word in said:
-        for words, is_good in ((_GOOD, True), (_BAD, False)):
+        for words, is_good in ((GOOD, True), (BAD, False)):
             if level and words.match(word):
                 return (level == "1") is is_good
     return None
@@ -139,7 +106,7 @@ def _switched_before(
             for use in each.channels
             if (use.channel, use.access) == ("output", WRITE) and use.number.isdecimal()
         ]
-        shown = [one for one in switched if not _SHOWN.search(names.get(("output", one), ""))]
+        shown = [one for one in switched if not SHOWN.search(names.get(("output", one), ""))]
         if shown:
             last[unit] = shown[-1]
         elif each.moves:
@@ -149,4 +116,4 @@ def _switched_before(
 
 def _stems(name: str) -> set[str]:
     words = re.findall(r"[a-zà-ÿ]{3,}", name.lower())
-    return {each[:4] for each in words if not _COMMON.fullmatch(each)}
+    return {each[:4] for each in words if not COMMON.fullmatch(each)}

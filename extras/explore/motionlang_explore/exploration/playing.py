@@ -20,12 +20,13 @@ from motionlang_explore.exploration.changes import (
     levels_at,
     made_at,
 )
-from motionlang_explore.exploration.cycles import MachineCycle, wrong
+from motionlang_explore.exploration.cycles import MachineCycle
 from motionlang_explore.exploration.questions import PERIOD
 from motionlang_explore.exploration.rests import BODY, Rest, RestState
 from motionlang_explore.exploration.search import Explorer
 from motionlang_explore.exploration.states import DELAY, Causes, Transition, delay
 from motionlang_explore.exploration.trials import Trial
+from motionlang_explore.exploration.words import wrong
 
 # So often a cycle is played, with so many changes that lead back to it.
 TIMES, EXTRA = 5, 3

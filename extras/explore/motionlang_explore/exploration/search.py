@@ -23,7 +23,6 @@ from motionlang.kernel.lang import Named, names_in_comments
 from motionlang.kernel.log import Printed, Switched
 from motionlang_explore.exploration import questions
 from motionlang_explore.exploration.changes import Channel, Timeline, given_in
-from motionlang_explore.exploration.cycles import alarms_in, has_stopped, is_wrong, wrong
 from motionlang_explore.exploration.likely import Likely
 from motionlang_explore.exploration.recorder import HANDLERS, Seen
 from motionlang_explore.exploration.rests import (
@@ -63,6 +62,7 @@ from motionlang_explore.exploration.trials import (
     Trials,
 )
 from motionlang_explore.exploration.values import codes, is_probe, levels, periods, printed_for
+from motionlang_explore.exploration.words import alarms_in, has_stopped, is_wrong, wrong
 
 # A variable with more values at rest counts or measures.
 MAX_REMEMBERED = 5

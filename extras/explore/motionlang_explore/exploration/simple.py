@@ -33,15 +33,7 @@ from typing import Any, NamedTuple
 from motionlang.comparison.texts import plain, without_figures
 from motionlang.kernel import Run
 from motionlang_explore.exploration.changes import TABLES, Channel, entries, keys_of, number_in
-from motionlang_explore.exploration.cycles import (
-    RIGHT,
-    MachineCycle,
-    is_right,
-    is_wrong,
-    names_alarm,
-    speaks,
-    wrong,
-)
+from motionlang_explore.exploration.cycles import RIGHT, MachineCycle
 from motionlang_explore.exploration.likely import ASKED, ON, PUSH, QUICK, SOON
 from motionlang_explore.exploration.recorder import ReadSpan
 from motionlang_explore.exploration.search import Explorer
@@ -53,6 +45,7 @@ from motionlang_explore.exploration.trials import (
     is_short_move,
 )
 from motionlang_explore.exploration.values import is_probe, levels, probe_of, solved
+from motionlang_explore.exploration.words import is_right, is_wrong, names_alarm, speaks, wrong
 from motionlang_explore.exploration.world import PULSES, WRITES, FoundWorld, world_of
 from motionlang_explore.identification import Entry, place
 

@@ -30,7 +30,7 @@ from motionlang.kernel import Run
 from motionlang.kernel.log import Printed, Switched
 from motionlang_explore.exploration.along import along, answers, beyond
 from motionlang_explore.exploration.changes import AT_REST, Change, entries, is_about, number_in, tables_of
-from motionlang_explore.exploration.cycles import MachineCycle, wrong
+from motionlang_explore.exploration.cycles import MachineCycle
 from motionlang_explore.exploration.likely import ASKED, ON, SOON
 from motionlang_explore.exploration.playing import COMPARED, TIMES, count, faults, played, quality
 from motionlang_explore.exploration.recorder import HANDLERS
@@ -40,6 +40,7 @@ from motionlang_explore.exploration.trials import (
     Trial,
     is_short_move,
 )
+from motionlang_explore.exploration.words import wrong
 from motionlang_explore.identification import Entry, Observation, channels, rules_of
 
 # A cycle repeats if each of its lines does so often.

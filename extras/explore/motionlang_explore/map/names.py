@@ -6,8 +6,7 @@ import re
 from collections.abc import Collection, Iterable
 
 from motionlang.commands.channels import Channel
-from motionlang.kernel.lang import Named
-from motionlang_explore.exploration import Act, Change, alarms_in
+from motionlang_explore.exploration import Act, Change, names_alarm
 from motionlang_explore.map.axes import AxisMap
 from motionlang_explore.map.units import MapVariable
 
@@ -42,4 +41,4 @@ class ReaderNames:
 
 def is_alarm(name: str) -> bool:
     """True if a name, such as "opRed", is that of something that is on when something is wrong."""
-    return bool(alarms_in([Named("output", 0, _WORD.sub(" ", name), 0)]))
+    return names_alarm(_WORD.sub(" ", name))

@@ -1,0 +1,124 @@
+"""What words in names, remarks and printed lines mean, by language: only a first guess, what is played decides.
+
+Each meaning has a pattern for English, German and French. A part of a word counts, but for `\\b`.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from motionlang.kernel.lang import Named
+
+
+def _any(**languages: str) -> str:
+    """Return a pattern for the words of any language."""
+    return "|".join(languages.values())
+
+
+def _words(**languages: str) -> re.Pattern[str]:
+    return re.compile(_any(**languages), re.IGNORECASE)
+
+
+# In the name of an input: what a person pushes, what is on in a good machine, what is there in a bad one, and what is on
+# while its output is off.
+BY_HAND = _words(
+    en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|reset|ack|push|changed",
+    de=r"tast|knopf|fu(?:ss|ß)|quit",
+    fr=r"poussoir|bouton|p[ée]dale|d[ée]part|acquit|r[ée]arm",
+)
+STEADY = _words(
+    en=r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health"
+    r"|emerg|auto",
+    de=r"halt|t(?:ü|ue)r\b|schutz|haube|bereit|luft|druck",
+    fr=r"arr[êe]t|urgence|porte|capot|ferm|pression|pr[êe]t",
+)
+ABSENT = _words(
+    en=r"open|full|\blow\b|empty|broke|\bjam|\bjog|spare|reserve|fault|setup",
+    de=r"offen|voll|leer|bruch|tipp",
+    fr=r"ouvert|plein|vide|cass|bourr",
+)
+BACK = _words(
+    en=r"\bup\b(?! to)|home|\bback|open|retract|releas|raised",
+    de=r"oben|zur(?:ü|ue)ck|offen",
+    fr=r"haut|arri[èe]re",
+)
+# In the name of an output: what only shows something, and what is switched on when something is wrong.
+SHOWN = _words(
+    en=r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b", de=r"leuchte|hupe", fr=r"voyant|lampe"
+)
+ALARM = _words(
+    en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
+    de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe",
+    fr=r"d[ée]faut|rebut|rouge|mauvais|klaxon",
+)
+# Of a level, in a good machine and in a bad one.
+GOOD = _words(en=r"shut|clos|free|clear|ok|good|in$", de=r"zu$|frei|gut", fr=r"ferm|libre|bon")
+BAD = _words(
+    en=r"open|interr|broke|low|empty|stop|halt|fault",
+    de=r"offen|unterbr|bruch|leer",
+    fr=r"ouv|coup|cass|vide",
+)
+# What names of inputs and outputs share by chance.
+COMMON = re.compile(
+    r"air|and|der|des|for|from|has|inp|input|left|les|off|out|output|part|piece|ready|right|sensor|sol|switch|teil|the"
+    r"|valve|when|wire|with"
+)
+# In a printed line: what is wrong, but for none of it ("0 bad", "no errors", "rejects: 0"), and what there is not ("no
+# part").
+_TROUBLE = _any(
+    en=r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke"
+    r"|stuck|hangs|lost|empty|emergency|refus|abort|abandon|\bheld\b|binned|crack|spoil|\btorn\b"
+    r"|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)"
+    r"|\bout of (?:register|size|range|tolerance|limits?)\b"
+    r"|\berr\b|\bflt\b|\balm\b|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b"
+    r"|(?<!under )guard(?=\W*$)|(?:guard|door|hood|lid)(?=\W+(?:is\W+)?(?:open|up|off|not))",
+    de=r"\bn\.?i\.?o\b|st(?:oe|ö)rung|fehler|fehlt|ausschu(?:ss|ß)|not-?aus|klemmt|h(?:ae|ä)ngt|gerissen|abbruch"
+    r"|(?:t(?:ü|ue)r|haube|schutz\w*)(?=\W+(?:ist\W+)?(?:offen|auf\b))",
+    fr=r"d[ée]faut|erreur|rebut|\bpanne\b|manqu|coinc[ée]|bloqu|d[ée]chir|hors (?:tol|lim|cote)"
+    r"|(?:carter|capot|porte|grille)(?=\W+(?:est\W+)?ouvert)",
+)
+_WRONG = re.compile(
+    rf"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?:{_TROUBLE})(?!\w*\W{{1,12}}0\b(?![.,]\d))"
+    rf"|(?:\bnot?|n't)\b(?!\W*(?:\d|{_TROUBLE}))",
+    re.IGNORECASE,
+)
+_RIGHT = _words(en=r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b")
+# What a program says when it stops, but for its start.
+_STOPPED = _words(en=r"stopped|\bstop (?:pressed|button|key)")
+
+
+def alarms_in(names: Iterable[Named]) -> frozenset[int]:
+    """Return the outputs whose names in comments say that something is wrong."""
+    kinds = ("output", "channel")
+    return frozenset(each.number for each in names if each.kind in kinds and ALARM.search(each.name))
+
+
+def is_wrong(said: str) -> bool:
+    """True if words say that something is wrong, or that the machine has stopped."""
+    return bool(wrong([said])) or has_stopped(said)
+
+
+def has_stopped(said: str) -> bool:
+    """True if words say that the machine has stopped."""
+    return bool(_STOPPED.search(said))
+
+
+def names_alarm(text: str) -> bool:
+    """True if a text has a name of something that is on when something is wrong."""
+    return bool(ALARM.search(text))
+
+
+def speaks(said: str) -> bool:
+    """True if a line has words; a number alone may be the code of a fault."""
+    return any(map(str.isalpha, said))
+
+
+def is_right(said: str) -> bool:
+    """True if words say that something is right."""
+    return bool(_RIGHT.search(said))
+
+
+def wrong(said: Iterable[str]) -> int:
+    """Return how often words say that something is wrong."""
+    return sum(len(_WRONG.findall(each)) for each in said)
