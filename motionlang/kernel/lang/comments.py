@@ -41,13 +41,13 @@ _ALONE = r"(?:(?<=[(\[])|(?=.[\d:]))"
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
     "input": r"d?i|x(?=\d)|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
-    rf"|{_ALONE}e|eing(?:ang|änge)?|entr[ée]es?|{_SENSORS}",
+    rf"|{_ALONE}e|eing(?:ang|änge)?|entr[ée]es?|entradas?|ingress[oi]|ingang(?:en)?|{_SENSORS}",
     "output": r"d?[oq]|y(?=\d)|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
-    rf"|{_ALONE}s|ausg(?:ang|änge)?|sorties?|{_ACTUATORS}",
+    rf"|{_ALONE}s|ausg(?:ang|änge)?|sorties?|salidas?|uscit[ae]|uitgang(?:en)?|{_ACTUATORS}",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|i/o",
     "analogue input": rf"a/?dc?|ai|ai?n|{_ALONE}a|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
-    "axis": f"ax(?:is|es?)?|achsen?|{_DRIVES}",
+    "axis": f"ax(?:is|es?)?|achsen?|ejes?|ass[ei]|{_DRIVES}",
     "encoder": "enc(?:oder)?s?",
     "register": "r(?:eg(?:ister)?s?)?",
     "comms element": "comms",

@@ -1,6 +1,7 @@
 """What words in names, remarks and printed lines mean, by language: only a first guess, what is played decides.
 
-Each meaning has a pattern for English, German and French. A part of a word counts, but for `\\b`.
+Each meaning has a pattern for English, German, French, Spanish, Italian and Dutch. A part of a word counts, but for
+`\\b`.
 """
 
 from __future__ import annotations
@@ -20,44 +21,74 @@ def _words(**languages: str) -> re.Pattern[str]:
     return re.compile(_any(**languages), re.IGNORECASE)
 
 
-# In the name of an input: what a person pushes, what is on in a good machine, what is there in a bad one, and what is on
-# while its output is off.
+# In the name of an input: what a person pushes, what is on in a good machine, what is there in a bad one, and what is
+# on while its output is off.
 BY_HAND = _words(
     en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|reset|ack|push|changed",
     de=r"tast|knopf|fu(?:ss|ß)|quit",
     fr=r"poussoir|bouton|p[ée]dale|d[ée]part|acquit|r[ée]arm",
+    es=r"pulsador|bot[óo]n|\bmarcha\b|arranque|\bmano|rearme",
+    it=r"pulsante|avvio|marcia|\bmano\b|riarmo|ripristino",
+    nl=r"knop|pedaal|\bvoet|kwiteer|herstel",
 )
 STEADY = _words(
     en=r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health"
     r"|emerg|auto",
     de=r"halt|t(?:ü|ue)r\b|schutz|haube|bereit|luft|druck",
     fr=r"arr[êe]t|urgence|porte|capot|ferm|pression|pr[êe]t",
+    es=r"\bparo\b|puerta|resguardo|\btapa\b|\baire|presi[óo]n|listo|cerrad",
+    it=r"arresto|porta\b|riparo|griglia|\baria|pressione|pronto|chius",
+    nl=r"deur|\bkap\b|\bhek\b|scherm|lucht|gereed|dicht\b",
 )
 ABSENT = _words(
     en=r"open|full|\blow\b|empty|broke|\bjam|\bjog|spare|reserve|fault|setup",
     de=r"offen|voll|leer|bruch|tipp",
     fr=r"ouvert|plein|vide|cass|bourr",
+    es=r"abiert|llen[oa]\b|\brot[oa]\b|atasc",
+    it=r"apert|pien[oa]\b|vuot[oa]\b|rott[oa]\b|esaurit",
+    nl=r"\bvol\b|leeg|breuk",
 )
 BACK = _words(
     en=r"\bup\b(?! to)|home|\bback|open|retract|releas|raised",
     de=r"oben|zur(?:ü|ue)ck|offen",
     fr=r"haut|arri[èe]re",
+    es=r"arriba|atr[áa]s|retra|abiert",
+    it=r"\bsu\b|\balto\b|indietro|apert",
+    nl=r"boven|terug|achter",
 )
 # In the name of an output: what only shows something, and what is switched on when something is wrong.
 SHOWN = _words(
-    en=r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b", de=r"leuchte|hupe", fr=r"voyant|lampe"
+    en=r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b",
+    de=r"leuchte|hupe",
+    fr=r"voyant|lampe",
+    es=r"\bluz\b|l[áa]mpara|piloto|\broj[oa]\b|\bverde\b",
+    it=r"spia\b|luce\b|ross[oa]\b",
+    nl=r"\brood\b|\bgroen\b|zoemer|toeter",
 )
 ALARM = _words(
     en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
     de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe",
     fr=r"d[ée]faut|rebut|rouge|mauvais|klaxon",
+    es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz",
+    it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
+    nl=r"storing|\bfout|\brood\b|\brode\b|afkeur|uitval",
 )
 # Of a level, in a good machine and in a bad one.
-GOOD = _words(en=r"shut|clos|free|clear|ok|good|in$", de=r"zu$|frei|gut", fr=r"ferm|libre|bon")
+GOOD = _words(
+    en=r"shut|clos|free|clear|ok|good|in$",
+    de=r"zu$|frei|gut",
+    fr=r"ferm|libre|bon",
+    es=r"cerrad|libre|buen",
+    it=r"chius|liber|buon",
+    nl=r"dicht|vrij|goed",
+)
 BAD = _words(
     en=r"open|interr|broke|low|empty|stop|halt|fault",
     de=r"offen|unterbr|bruch|leer",
     fr=r"ouv|coup|cass|vide",
+    es=r"abiert|cortad|rot[oa]",
+    it=r"apert|interrott|rott[oa]",
+    nl=r"onderbr|kapot|leeg",
 )
 # What names of inputs and outputs share by chance.
 COMMON = re.compile(
@@ -77,10 +108,17 @@ _TROUBLE = _any(
     r"|(?:t(?:ü|ue)r|haube|schutz\w*)(?=\W+(?:ist\W+)?(?:offen|auf\b))",
     fr=r"d[ée]faut|erreur|rebut|\bpanne\b|manqu|coinc[ée]|bloqu|d[ée]chir|hors (?:tol|lim|cote)"
     r"|(?:carter|capot|porte|grille)(?=\W+(?:est\W+)?ouvert)",
+    es=r"aver[íi]a|\bfall[oa]s?\b|\bfalta|\batasc|\brot[oa]s?\b|rechaz|defecto|fuera de"
+    r"|(?:puerta|tapa|resguardo)(?=\W+(?:est[áa]\W+)?abiert)",
+    it=r"errore|guasto|\bmanca\b|bloccat|inceppat|scart[oi]\b|\brott[oa]\b|allarme|fuori (?:toll|misura)"
+    r"|(?:griglia|porta|riparo)(?=\W+(?:è\W+)?apert)",
+    nl=r"\bstoring\b|\bfout|ontbreekt|afgekeurd|\bafkeur|\buitval|\bkapot|gebroken|noodstop|klemt\b"
+    r"|(?:deur|kap|hek|scherm)(?=\W+(?:is\W+)?open)",
 )
 _WRONG = re.compile(
-    rf"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?:{_TROUBLE})(?!\w*\W{{1,12}}0\b(?![.,]\d))"
-    rf"|(?:\bnot?|n't)\b(?!\W*(?:\d|{_TROUBLE}))",
+    r"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?<!\bkeine )(?<!\bsin )(?<!\bgeen )"
+    rf"(?:{_TROUBLE})(?!\w*\W{{1,12}}0\b(?![.,]\d))"
+    rf"|(?:\b(?:not?|keine?|nicht|geen|niet|sin|nessun[oa]?)|n't)\b(?!\W*(?:\d|{_TROUBLE}))",
     re.IGNORECASE,
 )
 _RIGHT = _words(en=r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b")

@@ -1,4 +1,4 @@
-"""What a program prints when something is wrong, as a person reads it, in English, German and French."""
+"""What a program prints when something is wrong, as a person reads it, in six languages."""
 
 from __future__ import annotations
 
@@ -30,6 +30,17 @@ torn skin
 Fell gerissen
 Abbruch 2 an Seite 1
 peau déchirée
+kein Teil
+averia 2, llevamos 3
+falta tripa
+puerta abierta
+pistone bloccato
+manca sfoglia
+griglia aperta
+nessun pezzo
+STORING 4
+geen hoefijzer
+kap open
 """
 RIGHT = """\
 6 out of 10 done
@@ -39,6 +50,12 @@ Blech 3 gelaugt und gesalzen
 tuyau 3/5 pret
 Panel 4
 porte fermée
+puro no. 4
+vaschetta 2 piena: 24 ravioli
+keine Störung
+geen fouten
+sin fallos
+hoefijzer 3 klaar
 """
 
 
