@@ -16,10 +16,10 @@ to a fixed point.
 
 Data. A point is a step of one of the lists; its number is its index in `points`. `Point.next` passes over calls, so a
 client that knows what a call does stays in one list. `within` is the same, but what has no parameters is entered: a
-Gosub leads to its label, and a Return in that list leads behind every Gosub in it. In a graph that `enters` all calls,
-as for the macros of MCCL, this holds for every list. Calls are not matched with returns. Several Returns and several
-calls share a junction: a point that is no step, behind all lists, which the Returns lead to and which leads behind the
-calls. Only `within` leads to it.
+Gosub leads to its label, and a Return that this leads to leads behind every Gosub of it. In a graph that `enters` all
+calls, as for the macros of MCCL, this holds for every list. Calls of the same are not matched with its returns.
+Several Returns and several calls share a junction: a point that is no step, behind all lists, which the Returns lead to
+and which leads behind the calls. Only `within` leads to it.
 
 Invariants. The points of a list are in the order of the text, and every cycle has an edge to the same or a lower point:
 that edge leads back. A junction counts as its last Return.
@@ -177,13 +177,8 @@ class StepGraph:
                 if is_call and (enters or own.start < called < own.stop):
                     behind.setdefault(called, []).extend(self.points[p].next)
                     found[p] = (called,)
-        if not enters:  # every Return of a list leads behind all of its Gosubs
-            together: dict[int, list[int]] = {}
-            for entry, points in behind.items():
-                together.setdefault(self.ranges[self.points[entry].key[0]].start, []).extend(points)
-            behind = together
         for entry, points in behind.items():
-            returns = self._returns(entry) if enters else self._own_returns(entry)
+            returns = self._returns(entry)
             if len(returns) > 1 and len(points) > 1:
                 self._junctions[len(found)] = returns[-1]
                 self.points.append(GraphPoint((self.points[entry].key[0], -1), NOTE, -1, ()))
@@ -192,11 +187,6 @@ class StepGraph:
             for p in returns:
                 found[p] = tuple(dict.fromkeys([*found[p], *points]))
         return found
-
-    def _own_returns(self, p: int) -> list[int]:
-        """Return the points of the list of a point that return; the last point is the end of the text."""
-        own = self.ranges[self.points[p].key[0]]
-        return [each for each in own[:-1] if self.points[each].kind == RETURN]
 
     def _returns(self, entry: int) -> list[int]:
         """Return the points that return from what begins at a point, also in the lists that it jumps to."""
