@@ -137,7 +137,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
             if explorer.has_work:
                 tried.append((_tried(explorer, settings, least), other))
         others = (each for each in tried if not _gives_up(each[0], first))
-        best, world = max([(best, world), *others], key=lambda each: each[0].value)
+        best, world = max([(best, world), *others], key=lambda each: _rank(each[0]))
         # Where less answers the program waits sooner.
         starting = {each[0].begun: each for each in tried}.values()
         most = explorer.most(share)
@@ -146,9 +146,10 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
                 break
             start = _within_limits(explorer, channels, start, least)
             climbed = _climbed(explorer, channels, start, least, most)
-            if climbed.value > best.value and not _gives_up(climbed, first):
+            if _rank(climbed) > _rank(best) and not _gives_up(climbed, first):
                 best, world = climbed, other
-    if best is first or best.is_good < first.is_good or best.value < first.value + MORE:
+    is_better = best.is_good > first.is_good or best.value >= first.value + MORE
+    if best is first or best.is_good < first.is_good or not is_better:
         return found
     best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
     return world._replace(settings=best.settings, run=best.run)
@@ -344,6 +345,11 @@ def _climbed(
             return best
         stage = 0 if best.value > before + HALF else stage + 1
         before = best.value
+
+
+def _rank(tried: Tried) -> tuple[bool, float]:
+    """Return what decides which of two runs is better: a good one is."""
+    return tried.is_good, tried.value
 
 
 def _does_much(explorer: Explorer, tried: Tried) -> bool:

@@ -99,7 +99,7 @@ COMMON = re.compile(
 # part").
 _TROUBLE = _any(
     en=r"\bbad\b|reject|fail|error|\bfault|trouble|alarm|scrap(?!er)|\bjam|miss(?:ing|ed)|time.?out|\bbroke"
-    r"|stuck|hangs|lost|empty|emergency|refus|abort|abandon|\bheld\b|binned|crack|spoil|\btorn\b"
+    r"|stuck|hangs|lost|empty|emergency|refus|abort|abandon|g[ai]ven? up|\bheld\b|binned|crack|spoil|\btorn\b"
     r"|(?:thrown|blown|kicked|pushed) (?:o(?:ff|ut)|away)"
     r"|\bout of (?:register|size|range|tolerance|limits?)\b"
     r"|\berr\b|\bflt\b|\balm\b|divert|rework|\brun out|\bwrong|\bwaste|\bnok\b|\btoo\b|\blate\b|\blow\b"

@@ -27,6 +27,7 @@ tapis bloqué
 CARTER OUVERT
 Schutzhaube offen
 torn skin
+Batch given up
 Fell gerissen
 Abbruch 2 an Seite 1
 peau déchirée
