@@ -26,7 +26,9 @@ ASKED: Entry = {"asked": DELAY}
 PUSHED: Entry = {**ASKED, "for": PUSH}
 QUICK: Entry = {"asked": 0.02}
 # What a remark behind a name says of a level, such as (0 = shut).
-_LEVELS = re.compile(r"\W{1,3}([01]) *= *([^\W\d]+)(?:\W{1,3}([01]) *= *([^\W\d]+))?")
+_LEVELS = re.compile(
+    r"\W{1,3}(?:([01]) *= *([^\W\d]+)|([^\W\d]+) *= *([01])\b)(?:\W{1,3}([01]) *= *([^\W\d]+))?"
+)
 # Where a word of doorClosed or di_Door begins.
 _WORD = re.compile(r"(?<=[a-z])(?=[A-Z])|_")
 
@@ -81,7 +83,7 @@ class Likely:
 def _good_level(remark: str) -> bool | None:
     """Return the level of a good machine of which a remark behind a name speaks, None if it speaks of none."""
     found = _LEVELS.match(remark)
-    said = [] if found is None else [*zip(found.groups()[::2], found.groups()[1::2], strict=True)]
+    said = [] if found is None else [found.group(1, 2), found.group(4, 3), found.group(5, 6)]
     for level, word in said:
         for words, is_good in ((GOOD, True), (BAD, False)):
             if level and words.match(word):

@@ -88,7 +88,7 @@ class Tried(NamedTuple):
     `read` is when it reads each channel, in the order in which it reads them first, or last before it says what is
     wrong or waits for ever.
     `times` is how often the line moves an axis that does so most often, `faults` how much it says of what is wrong.
-    It `stands` if it waits for ever, but for a person's answer.
+    It `stands` if it waits for ever, but for a person's answer, or once what comes one by one is over.
     """
 
     settings: Settings
@@ -115,12 +115,12 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
     first = _within_limits(explorer, channels, first, least)
     if first.is_good:
-        # What comes one by one is over soon.
-        tables = ((table, each) for table in ("input", "analogue") for each in entries(first.settings, table))
-        often = Counter((table, number_in(table, each)) for table, each in tables)
-        listed = [each for each in channels if often[each] > LISTED]
+        listed = [each for each in channels if each in _listed(first.settings)]
         first = _climbed(explorer, listed, first, least, inf, GOOD)
-        off = [each for each in first.read if each[0] == "input" and each in channels and not often[each]]
+        given = {number_in("input", each) for each in entries(first.settings, "input")}
+        off = [
+            each for each in first.read if each[0] == "input" and each in channels and each[1] not in given
+        ]
         first = _with_less(explorer, _right_branch(explorer, off, first, least), least)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
@@ -407,7 +407,8 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     trouble = min(_times(explorer, run, faults), default=run.time)
     if is_stuck or faults:
         read = {each: read[each] for each in sorted(read, key=partial(_last_read, read, trouble))}
-    never, stands = is_stuck and done < ENOUGH, is_stuck and not asks(run)
+    never = is_stuck and done < ENOUGH
+    stands = (is_stuck and not asks(run)) or (not has_ended and bool(_listed(settings)))
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
@@ -429,6 +430,13 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     return Tried(
         settings, run, frozenset(begun), read, times, wrongs, share, round(value, 6), is_good, stands
     )
+
+
+def _listed(settings: Settings) -> set[Channel]:
+    """Return the channels that change one by one, which is over soon."""
+    tables = ((table, each) for table in ("input", "analogue") for each in entries(settings, table))
+    often = Counter((table, number_in(table, each)) for table, each in tables)
+    return {each for each, count in often.items() if count > LISTED}
 
 
 def _times(explorer: Explorer, run: Run, faults: Collection[str]) -> Iterator[float]:

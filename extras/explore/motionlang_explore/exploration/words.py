@@ -34,11 +34,11 @@ BY_HAND = _words(
 STEADY = _words(
     en=r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health"
     r"|emerg|auto",
-    de=r"halt|t(?:ü|ue)r\b|schutz|haube|bereit|luft|druck",
-    fr=r"arr[êe]t|urgence|porte|capot|ferm|pression|pr[êe]t",
-    es=r"\bparo\b|puerta|resguardo|\btapa\b|\baire|presi[óo]n|listo|cerrad",
-    it=r"arresto|porta\b|riparo|griglia|\baria|pressione|pronto|chius",
-    nl=r"deur|\bkap\b|\bhek\b|scherm|lucht|gereed|dicht\b",
+    de=r"halt|t(?:ü|ue)r\b|schutz|haube|bereit|luft|druck|vorhanden|geschlossen",
+    fr=r"arr[êe]t|urgence|porte|capot|carter|ferm|pression|pr[êe]t|pr[ée]sent|en place",
+    es=r"\bparo\b|puerta|resguardo|\btapa\b|\baire|presi[óo]n|listo|cerrad|presente",
+    it=r"arresto|porta\b|riparo|griglia|\baria|pressione|pronto|chius|presente",
+    nl=r"deur|\bkap\b|\bhek\b|scherm|lucht|gereed|dicht\b|aanwezig",
 )
 ABSENT = _words(
     en=r"open|full|\blow\b|empty|broke|\bjam|\bjog|spare|reserve|fault|setup",
@@ -111,7 +111,7 @@ _TROUBLE = _any(
     es=r"aver[íi]a|\bfall[oa]s?\b|\bfalta|\batasc|\brot[oa]s?\b|rechaz|defecto|fuera de"
     r"|(?:puerta|tapa|resguardo)(?=\W+(?:est[áa]\W+)?abiert)",
     it=r"errore|guasto|\bmanca\b|bloccat|inceppat|scart[oi]\b|\brott[oa]\b|allarme|fuori (?:toll|misura)"
-    r"|(?:griglia|porta|riparo)(?=\W+(?:è\W+)?apert)",
+    r"|(?:griglia|porta|riparo|carter)(?=\W+(?:è\W+)?apert)",
     nl=r"\bstoring\b|\bfout|ontbreekt|afgekeurd|\bafkeur|\buitval|\bkapot|gebroken|noodstop|klemt\b"
     r"|(?:deur|kap|hek|scherm)(?=\W+(?:is\W+)?open)",
 )

@@ -139,7 +139,7 @@ Loop
 End Loop
 """
 # A hood and a curtain that are good at 0, as their remarks say; both are looked at in a stroke.
-REMARKS = "' IN4 hood (0 = shut)   IN5 curtain, 1 = broken\n" + PROBE.replace(
+REMARKS = "' IN4 hood (0 = shut)   IN5 curtain ( free = 0 )\n" + PROBE.replace(
     "    If TasterUnten Then bad = 1\n",
     "    If INX(4) Then bad = 1\n    If INX(5) Then bad = 1\n    If TasterUnten Then bad = 1\n",
 )
