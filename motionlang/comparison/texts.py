@@ -46,6 +46,8 @@ def described(move: AnyMove, is_homing: bool) -> str:
     words = [move.command] if profile.duration == inf else []
     if profile.duration < inf:
         words.append(f"to {round((profile.end - move.zero) / scale, 6) + 0.0:.6g}")
-    if speed := profile.peak_speed:
+    if profile.duration == inf:
+        words.append(f"at {profile.end_velocity / scale:.6g}")
+    elif speed := profile.peak_speed:
         words.append(f"at {abs(speed / scale):.6g}")
     return " ".join(words)
