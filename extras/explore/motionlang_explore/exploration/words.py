@@ -67,7 +67,7 @@ SHOWN = _words(
 )
 ALARM = _words(
     en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
-    de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|schlecht|\brote?\b|hupe",
+    de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b|hupe",
     fr=r"d[ée]faut|rebut|rouge|mauvais|klaxon",
     es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz",
     it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
