@@ -12,10 +12,10 @@ steps: a decision needs what it reads; an assignment needs what it reads only if
     n = n + 1           n is needed by nothing but itself, and so it is faint
     If good = 1 Then …
 
-Calls and returns are linked without their context, so a variable may be needed on a path that no call takes. A variable
-that counts, as `n = n + 1` does, is left out, since each value would be a new state, and so is a copy of a level, a
-clock or a position. Of one that takes a number of the world, as `n = COMMS(2)` does, only counts if it has: a menu
-remembers an answer.
+The calls of a unit are not matched with its returns, so a variable may be needed on a path that no call takes. A
+variable that counts, as `n = n + 1` does, is left out, since each value would be a new state, and so is a copy of a
+level, a clock or a position. Of one that takes a number of the world, as `n = COMMS(2)` does, only counts if it has: a
+menu remembers an answer.
 
 Invariants. The numbers of variables are those of `Uses`, and so of the list of shared variables of any run of the
 program. Variables of a call are part of the analysis and of no result; of the registers that each task of MCCL has,
@@ -208,7 +208,8 @@ class Memory:
         into, back = len(points), len(points) + 1
         following = [*(list(self._graph.within[p]) for p in range(len(points))), macros, []]
         for p, point in enumerate(points):
-            if point.kind not in (CALL, ENTER):
+            # A call that is entered is linked with its Returns.
+            if point.kind not in (CALL, ENTER) or point.calls in self._graph.within[p]:
                 continue
             if point.calls >= 0:
                 following[p].append(point.calls)

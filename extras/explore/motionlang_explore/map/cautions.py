@@ -52,7 +52,7 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         if node.state is not None and all(each.causes for each in node.transitions)
         for place in node.state
         for at in place.statements
-        if at in node.reads
+        if reasons.waits(at)
     }
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
 
@@ -96,8 +96,10 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     starting = ([one for one in some if one.subject not in always | follows] for some in made[begin:])
     steps = [" and ".join(map(names.of, some)) for some in starting if some]
     what = ", then ".join(steps) or "power-up"
-    held = dict.fromkeys(one.subject for some in made for one in some if one.subject in always and one.value)
-    why = f" with {', '.join(names[each] for each in held)} on" if held else ""
+    needed = dict.fromkeys(one.subject for some in made for one in some if one.value)
+    held, answers = ([names[each] for each in needed if each in some] for some in (always, follows))
+    why = f" with {', '.join(held)} on" if held else ""
+    why += f"; {', '.join(answers)} follow{'s' * (len(answers) < 2)} an output or an axis" if answers else ""
     changed = {one.subject for some in made for one in some}
     others = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
     why += f"; played with {', '.join(others)} on" if others else ""

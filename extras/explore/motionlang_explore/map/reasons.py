@@ -17,7 +17,7 @@ from functools import reduce
 from typing import NamedTuple
 
 from motionlang.commands.channels import CALL, given_numbers, parameters_of, with_number
-from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
+from motionlang.kernel.lang import READ, WRITE, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges
 from motionlang_explore.map.names import ReaderNames
 
@@ -183,6 +183,12 @@ class Reasons:
         """True if the program can come to the statement at an offset."""
         return at in self._first
 
+    def waits(self, at: int) -> bool:
+        """True if a statement waits for its condition, or ends a loop by it."""
+        statement = self._structure.statements[at]
+        is_loop = at in self._loops and bool(_condition(statement))
+        return bool(statement.condition) and (bool(statement.waits) or is_loop)
+
     def of(self, at: int) -> list[Reason]:
         """Return why the program comes to a statement; none if it always does."""
         return self._of(self._first[at])
@@ -202,14 +208,20 @@ class Reasons:
         return dict(sorted(found.items()))
 
     def ends(self, at: int) -> list[Reason]:
-        """Return what the program waits for behind a statement until it moves an axis, or what else ends its step."""
+        """Return what the program waits for behind a statement until it moves an axis, or what else ends its step.
+
+        What an output shows ends where it is written again.
+        """
         found, stack = list[Reason](), [self._first[at]]
+        shown = _written(self._structure.statements[at])
         guards = self._guards[self._first[at]]
         guard = self._statement(guards[0][0]) if guards else None
         for _ in range(MAX_POINTS):
             p = stack.pop() if stack else -1
             statement = self._statement(p)
             if p < 0 or (statement is not None and statement.moves):
+                break
+            if statement is not None and statement.at != at and shown & _written(statement):
                 break
             point, following = self._structure.points[p], self._structure.points[p].next[-1:]
             if statement is not None and statement.condition and p == self._waits.get(p):
@@ -252,7 +264,9 @@ class Reasons:
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
         # A time has the conditions before it as well, a quotation those of the blocks around it.
-        if all(each.rank == COUNTED for each in made):
+        is_looped = any(self._is_loop(outer) for outer, _ in self._guards[q])
+        is_counted = all(each.rank == COUNTED for each in made)
+        if is_counted:
             around = self._of(q)
         elif self._depth > MAX_DEPTH:
             return made
@@ -261,10 +275,12 @@ class Reasons:
             around = [each for outer in self._outside(q) for each in self._within(outer, True)]
             self._depth -= 1
         around = [each for each in around if each.rank >= DIRECT]
-        if not around or any(self._is_loop(outer) for outer, _ in self._guards[q]):
+        if not around or (is_looped and not is_counted):
             return made
         outer = " or ".join(each.text for each in around[:MAX_REASONS])
-        return [each._replace(words=f"{outer} and {each.words}", rank=DIRECT) for each in made]
+        # What leaves a loop is one of the ways behind it.
+        rank = COUNTED if is_looped else DIRECT
+        return [each._replace(words=f"{outer} and {each.words}", rank=rank) for each in made]
 
     def _outside(self, q: int) -> list[int]:
         """Return the branches, or the handler, whose block has a branch, not those that come before it."""
@@ -306,8 +322,9 @@ class Reasons:
             return self._compared(compared[1], sign, compared[3], q, statement)
         form = _condition(statement)
         made = self._tree(form, side, q, statement) if len(form) < MAX_LENGTH else []
-        if len(made) == 1 and made[0].rank == DIRECT:
-            return [made[0]._replace(words=made[0].words + self._time_before(q, statement, made[0].words))]
+        if len(made) == 1 and made[0].rank in (DIRECT, COUNTED):
+            add = self._time_before if made[0].rank == DIRECT else self._lacking_before
+            return [made[0]._replace(words=made[0].words + add(q, statement, made[0].words))]
         return made or [_quoted(statement, side)]
 
     def _compared(self, subject: str, sign: str, right: str, q: int, statement: Statement) -> list[Reason]:
@@ -327,6 +344,18 @@ class Reasons:
         return list(self._assigned(subject, sign, right, q, statement)) or [
             Reason(raw, statement.line, COUNTED)
         ]
+
+    def _lacking_before(self, q: int, _: Statement, words: str) -> str:
+        """Return what would have ended the wait before a test of its time, "" if there is none."""
+        p = self._waits.get(q, q)
+        wait = self._statement(p)
+        made = (
+            self._tree(_condition(wait), True, p, wait) if p != q and wait is not None and wait.waits else []
+        )
+        others = [each.words for each in made if each.rank == DIRECT]
+        return (
+            f" without {' or '.join(others)}" if others and any(each.words == words for each in made) else ""
+        )
 
     def _time_before(self, q: int, statement: Statement, words: str) -> str:
         """Return the time in the wait before a test of the same channels, "" if there is none."""
@@ -514,6 +543,11 @@ class Reasons:
             shown = repr(chr(int(number))) if 32 < number < 127 else shown
             return f"key {shown}" if sign == "=" else f"key {_COMPARISONS[sign][0]} {shown}"
         return f"{self._names[subject]} {_COMPARISONS[sign][0]} {shown}"
+
+
+def _written(statement: Statement) -> set[str]:
+    """Return the outputs that a statement writes, by their numbers."""
+    return {use.number for use in statement.channels if (use.channel, use.access) == ("output", WRITE)}
 
 
 def _condition(statement: Statement) -> str:

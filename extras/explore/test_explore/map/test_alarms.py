@@ -76,6 +76,35 @@ Event IN1
   Failed(1)
 End Event
 """
+# A time within a loop, one behind a wait, and a lamp that is switched off before the next piece is waited for.
+TIMES = """\
+' IN 1 pedal  2 frame clamped  4 part fallen  5 reset
+' OUT 3 clamp  7 red lamp
+Dim e As Integer, t As Integer
+Dim l As Time
+Loop
+  Pause INX(1)
+  OUTX(3) = 1 : t = TIME : e = 0
+  While INX(2) = 0
+    If TIME - t > 2000 Then
+      e = 1
+      Exit While
+    End If
+  End While
+  If e Then
+    OUTX(7) = 1
+    Pause INX(5)
+    OUTX(7) = 0
+  Else
+    MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+    l = 0
+    Pause INX(4) Or l > 1500
+    If l > 1500 Then Print "PART STUCK"
+  End If
+  OUTX(3) = 0
+  Pause INX(1) = 0
+End Loop
+"""
 MACROS = """\
 ; INPUTS 1 gate shut, 3 vacuum ok, 5 reset
 ; OUTPUTS 9 vacuum, 11 fault lamp
@@ -222,6 +251,18 @@ RETURN
                 "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24",
             ],
             id="waits",
+        ),
+        pytest.param(
+            "a.mnt",
+            TIMES,
+            [
+                "output 7 (red lamp) comes by input 2 (frame clamped) off, line 8 and 2 s after line 7; "
+                "ends by input 5 (reset) on, line 16",
+                "'PART STUCK' comes 1.5 s after line 20 without input 4 (part fallen) on; ends by input 1 "
+                "(pedal) off, line 25, then input 1 (pedal) on, line 6, then input 2 (frame clamped) on, "
+                "line 8",
+            ],
+            id="times",
         ),
         pytest.param(
             "a.prg",

@@ -109,7 +109,7 @@ name  kind      written  read   decides
 ──────────────────────────────────────────────────
 n     variable  11       11-13  13: n > 1000000
 
-Never reached
+Never played
 from line  to line  text         why
 ────────────────────────────────────────────────────────
        13       13  Spare        line 13: if n > 1000000
@@ -217,10 +217,10 @@ def test_the_statements_of_a_unit(program: Cell) -> None:
 def test_without_a_run_the_map_has_what_the_text_says(program: Cell) -> None:
     ran = program("map", "a.mnt", "--no-run")
     begin = SHOWN.index("Inputs and outputs")
-    end = SHOWN.index("Never reached")
+    end = SHOWN.index("Never played")
     assert ran.out == (
         "a.mnt: Mint, 4 channels, 1 axis, 3 units\n\n"
-        f"{SHOWN[begin:end]}Never reached\nevery statement can be reached\n"
+        f"{SHOWN[begin:end]}Never played\nevery statement can be reached\n"
     )
 
 

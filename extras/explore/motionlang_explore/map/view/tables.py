@@ -257,7 +257,7 @@ def unreached(made: ProgramMap) -> Table:
         Column("text", left=True),
         Column("why", left=True),
     ]
-    return Table("never_reached", columns, rows, empty=empty, head="Never reached")
+    return Table("never_reached", columns, rows, empty=empty, head="Never played")
 
 
 def statements(made: ProgramMap, unit: Unit) -> Table:
