@@ -29,6 +29,18 @@ PROGRAM = (
 )
 LINE = 5
 PACKAGE = Path(motionlang.__file__).parent
+# The files whose functions check a keyword and make its steps.
+MAKERS = (
+    "kernel/mint/steps/keywords.py",
+    "kernel/mint/steps/words.py",
+    "kernel/mint/steps/unit.py",
+    "kernel/mint/runtime/binding.py",
+    "kernel/mint/keywords/",
+    "kernel/mint/check/access.py",
+    "kernel/lang/keyword.py",
+)
+# The operation of the controller that the statement calls.
+LOADS = "load_by"
 # What only listens to the controller.
 LISTENER = "motion_listener.py"
 # Programs, each with the statement whose files the page lists; it runs for the second time, as the first time it may
@@ -67,8 +79,15 @@ The parser builds nodes of `kernel/mint/syntax/nodes.py`. The base class is `ker
 
 ## Steps
 
-`kernel/mint/resolve/` finds what each name refers to. The check (`kernel/mint/steps/check.py`) reports every mistake.
-`kernel/mint/steps/` turns the checked tree into steps (`kernel/lang/steps.py`), a list that `motionlang check FILE
+`kernel/mint/resolve/` finds what each name refers to. A class of node has one function in `kernel/mint/steps/`, which
+is called twice. First it checks the node (`kernel/mint/steps/check.py`) and reports its mistakes. These functions check
+the keyword:
+
+```text
+{check}
+```
+
+If there is no mistake, it turns the node into steps (`kernel/lang/steps.py`), a list that `motionlang check FILE
 --steps` prints. What a step does is a function of the variables of the call. Loading a move is a `try`: while the move
 buffer of the axis is full, the step waits and is done again. It pays for the statement when it is done.
 
@@ -76,11 +95,24 @@ buffer of the axis is full, the step waits and is done again. It pays for the st
 {code}
 ```
 
+The makers of a step nest like this. `bound` returns the operation of the keyword on axis 0, which the row's own maker
+`made` makes. `_load` makes the function of the step around it, and `add` names this function after the keyword.
+
+```text
+{makers}
+```
+
 ## Operations of the controller
 
-At run time `kernel/lang/step_task.py` does one step after another. The function of this one was bound to the row of its
-keyword when the steps were written (`kernel/mint/runtime/binding.py`). It checks the value and calls operations of the
-controller (`tests/operations.py`) in counts and seconds: 25 user units are 250 counts.
+At run time `kernel/lang/step_task.py` does one step after another. A debugger that stops in the controller shows this
+stack, and a profile the same names: `MOVER` is the function of the step, `load` the operation of its row.
+
+```text
+{stack}
+```
+
+The operation checks the value and calls the controller (`tests/operations.py`) in counts and seconds: 25 user units are
+250 counts.
 
 ```text
 {operations}
@@ -115,6 +147,7 @@ def written() -> str:
         tokens="\n".join(f"{kind:<10} {text:<6} {at}" for kind, text, at in tokens(STATEMENT)),
         tree="\n".join(_tree(parse(Source("a.mnt", f"{STATEMENT}\n")))),
         code=_code(source),
+        **_functions(source),
         operations="\n".join(
             f"{operation}({', '.join(map(repr, arguments))})" for operation, *arguments in _operations(source)
         ),
@@ -150,6 +183,54 @@ def _code(source: Source) -> str:
     begin = next(i for i, line in enumerate(lines) if line.endswith(STATEMENT))
     end = next(i for i in range(begin + 1, len(lines)) if lines[i][:4].strip())
     return "\n".join(lines[begin:end])
+
+
+def _functions(source: Source) -> dict[str, str]:
+    """Return the functions that check the statement, those that make its step, and the stack that loads its move."""
+    found: dict[str, list[tuple[str, str]]] = {"check": [], "makers": [], "stack": []}
+    # The frame of `keywords.write` for the statement, and the frames of the shown functions that it has called.
+    head: list[FrameType] = []
+    open_: list[FrameType] = []
+
+    def enter(frame: FrameType, event: str, _: object) -> None:
+        code = frame.f_code
+        path = Path(code.co_filename)
+        if not path.is_relative_to(PACKAGE):
+            return
+        file, name = path.relative_to(PACKAGE).as_posix(), code.co_name
+        if event == "call" and (file, name) == (MAKERS[0], "write"):
+            given = frame.f_locals
+            if given["w"].program.line(given["node"].start) == LINE:
+                head.append(frame)
+        if event == "call" and head and file.startswith(MAKERS) and not name.startswith("<"):
+            key = "check" if head[0].f_locals["w"].checks else "makers"
+            found[key].append((f"{'  ' * len(open_)}{name}", file))
+            open_.append(frame)
+        if event == "return" and frame in open_:
+            open_.remove(frame)
+        if event == "return" and frame in head:
+            head.remove(frame)
+        if event == "call" and name == LOADS:
+            found["stack"] = _stack(frame)
+
+    run(source)
+    before = sys.getprofile()
+    sys.setprofile(enter)
+    try:
+        run(source)
+    finally:
+        sys.setprofile(before)
+    return {key: "\n".join(f"{name:<26} {file}" for name, file in rows) for key, rows in found.items()}
+
+
+def _stack(frame: FrameType) -> list[tuple[str, str]]:
+    """Return the functions that are running, from that which does the steps to `frame`."""
+    found: list[tuple[str, str]] = []
+    at: FrameType | None = frame
+    while at is not None and (not found or found[0][0] != "_run"):
+        found.insert(0, (at.f_code.co_name, Path(at.f_code.co_filename).relative_to(PACKAGE).as_posix()))
+        at = at.f_back
+    return found
 
 
 def _way(file: str, text: str, statement: str) -> str:

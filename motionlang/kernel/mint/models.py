@@ -54,11 +54,7 @@ def named(model: str) -> str | None:
 
     Case, blanks and punctuation are ignored.
     """
-    wanted = _plain(model)
-    for product in PRODUCTS:
-        if wanted in _spellings(_plain(product)):
-            return product
-    return None
+    return _PRODUCT_OF.get(_plain(model))
 
 
 def age(model: str) -> str | None:
@@ -78,3 +74,9 @@ def _spellings(plain: str) -> Iterator[str]:
 
 def _plain(name: str) -> str:
     return "".join(letter for letter in name.lower() if letter.isalnum())
+
+
+# The first product of each spelling.
+_PRODUCT_OF = {
+    spelling: product for product in reversed(PRODUCTS) for spelling in _spellings(_plain(product))
+}

@@ -21,6 +21,7 @@ from motionlang.kernel.mccl.motion.path import DESCRIBES
 from motionlang.kernel.mccl.resolve.command import Command
 from motionlang.kernel.mccl.resolve.decode import problem
 from motionlang.kernel.mccl.runtime.register_uses import uses_of
+from motionlang.kernel.tools import named
 
 if TYPE_CHECKING:
     from motionlang.kernel.mccl.resolve.line import Line
@@ -92,7 +93,7 @@ class LineWriter:
         def do(values: Values) -> Any:
             return action(board.running, command)
 
-        return self.steps.add(kind, do, to, self._at, uses_of(command))
+        return self.steps.add(kind, named(command.name, do), to, self._at, uses_of(command))
 
     def jump(self, kind: int, index: int, action: Callable[[Any, Command], Any] | None = None) -> None:
         """Append a step that may jump to the command with an index, or to the line's end."""

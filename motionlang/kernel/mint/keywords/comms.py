@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from motionlang.kernel.controller.io.host_memory import product
 from motionlang.kernel.lang.keyword import Actions, Keyword, constant
-from motionlang.kernel.mint.runtime.binding import Maker, Operation, of, with_first
+from motionlang.kernel.mint.runtime.binding import Maker, Operation, of
 from motionlang.kernel.mint.runtime.changes import repeatable
 from motionlang.kernel.mint.runtime.environment import Environment
 
@@ -67,7 +69,8 @@ def element(name: str) -> Maker:
     """
 
     def made(environment: Environment, row: Keyword) -> Operation:
-        return with_first(getattr(environment.machine.host, name), row.attribute)
+        area: Operation = getattr(environment.machine.host, name)
+        return partial(area, row.attribute)
 
     return made
 

@@ -52,8 +52,6 @@ Operation = Callable[..., object]
 Maker = Callable[["Environment", "Keyword"], Operation]
 # Binds an operation to an axis.
 Bound = Callable[["Environment", "Keyword"], Callable[[int], Operation]]
-# A function with its first arguments given, also for makers elsewhere.
-with_first: Callable[..., Operation] = partial
 
 # Factors from the controller's seconds and fractions to the unit of a setting.
 _TIMES = {"ms": 1000.0, "%": 100.0}

@@ -8,7 +8,7 @@ from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.check import unsimulated
 from motionlang.kernel.mint.check.access import check_count, check_path, not_a_command, refuse
-from motionlang.kernel.mint.check.values import NOTHING, Get, Value
+from motionlang.kernel.mint.check.values import NOTHING, Value
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
 from motionlang.kernel.mint.runtime import binding
@@ -69,18 +69,18 @@ def command(w: UnitWriter, node: nodes.Call, row: Keyword) -> None:
         where = [words.together(where)]
     if has_calls:
         where = [_worked_out(w, each) for each in where]
-    do = words.action(w, "do", row, where)
+    do = words.action(w, "do", row, where, [], line)
     w.add(NOW)
-    w.add(DO, lambda values: do(values, *line), cost=1.0)
+    w.add(DO, do, cost=1.0, name=row.name)
 
 
 def _unsimulated(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
-    gets = words.whatever(w, target, row, single=False)
+    gets, last = words.whatever(w, target, row, single=False)
     if w.checks:
         return
-    do = words.action(w, "do", row, [Value(get, "anything") for get in gets])
+    do = words.action(w, "do", row, [], gets, last)
     w.add(NOW)
-    w.add(DO, do, cost=1.0)
+    w.add(DO, do, cost=1.0, name=row.name)
 
 
 # ---------------------------------------------------------------------------------------------------- values
@@ -123,11 +123,10 @@ def _worked_out(w: UnitWriter, found: Value) -> Value:
     return found if found.const is not None else expressions.stored(w, found)
 
 
-def _last(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> list[Get]:
+def _last(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> tuple[int, ...]:
     if not row.simulated:
         return words.location(w, target, row)
-    line = w.program.line(node.start)
-    return [lambda values: line] if row.group == "motion" else []
+    return (w.program.line(node.start),) if row.group == "motion" else ()
 
 
 def given_to(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
@@ -154,34 +153,35 @@ def _check_value(w: UnitWriter, node: nodes.Expr, found: Value, row: Keyword) ->
 
 
 def _store(
-    w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: list[Get], cost: float
+    w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: tuple[int, ...], cost: float
 ) -> None:
-    how = "write" if "W" in row.access else "do"
-    act, get, sets = words.action(w, how, row, where), given.get, None
+    get, sets = given.get, None
     if row.driven in words.HOST_MEMORY:
         sets = HOST_VARIABLE
         copy = Copy(w.steps, len(w.steps), sets)
         get = w.marking(lambda: copy, get)
-    if last:
-        w.add(DO, lambda values: act(values, get(values), *[each(values) for each in last]), cost=cost)
-    else:
-        w.add(DO, lambda values: act(values, get(values)), cost=cost, sets=sets)
+    write = words.action(w, _how(row), row, where, [get], last)
+    w.add(DO, write, cost=cost, sets=sets, name=row.name)
+
+
+def _how(row: Keyword) -> str:
+    return "write" if "W" in row.access else "do"
 
 
 def _load(
-    w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: list[Get], cost: float
+    w: UnitWriter, row: Keyword, where: list[Value], given: Value, last: tuple[int, ...], cost: float
 ) -> None:
-    environment, get = w.program.environment, given.get
-    load, axes = words.bound(w, "load", row, where), where[0].get
+    environment, value, axes = w.program.environment, given.get, where[0].get
+    load, gets = words.bound(w, "load", row, where)
 
     def loaded(values: Values) -> Wait | None:
         environment.acts += 1
-        if not load(values, get(values), *[each(values) for each in last]):
+        if not load(*[get(values) for get in gets], value(values), *last):
             return None
         full = axes(values)
         return environment.space_wait(full if isinstance(full, tuple) else (full,))
 
-    w.add(TRY, loaded, cost=cost)
+    w.add(TRY, loaded, cost=cost, name=row.name)
 
 
 def _write_to_defaults(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
@@ -208,24 +208,23 @@ def _write_to_defaults(w: UnitWriter, node: nodes.Assign, target: nodes.Name, ro
             while values[pairs]:
                 axis, value = values[pairs][0]
                 environment.acts += 1
-                if value is not None and load(axis, value, *[each(values) for each in last]):
+                if value is not None and load(axis, value, *last):
                     return environment.space_wait((axis,))
                 del values[pairs][0]
             return None
 
-        w.add(TRY, loaded, cost=1.0)
+        w.add(TRY, loaded, cost=1.0, name=row.name)
         return
-    how = "write" if "W" in row.access else "do"
-    write = words.action(w, how, row, [Value(lambda values: values[pairs][0][0], INTEGER)])
+    axis_now = Value(lambda values: values[pairs][0][0], INTEGER)
+    write = words.action(w, _how(row), row, [axis_now], [lambda values: values[pairs][0][1]], last)
 
     def write_all(values: Values) -> None:
         while values[pairs]:
-            value = values[pairs][0][1]
-            if value is not None:
-                write(values, value, *[each(values) for each in last])
+            if values[pairs][0][1] is not None:
+                write(values)
             del values[pairs][0]
 
-    w.add(DO, write_all, cost=1.0)
+    w.add(DO, write_all, cost=1.0, name=row.name)
 
 
 def _path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -> None:
@@ -243,6 +242,5 @@ def _path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -
     values_of = Value(lambda values: tuple([get(values) for get in gets]), "values")
     if any(each.const is None for each in given):
         values_of = expressions.stored(w, values_of)
-    line = w.program.line(node.start)
     w.add(NOW)
-    _load(w, row, [axes], values_of, [lambda values: line], 1.0)
+    _load(w, row, [axes], values_of, (w.program.line(node.start),), 1.0)

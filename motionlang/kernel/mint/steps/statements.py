@@ -222,7 +222,7 @@ def _run(w: UnitWriter, node: nodes.Run) -> None:
         return
     environment, unit, name = w.program.environment, w.program.unit(task.home), task.name.lower()
     w.add(NOW)
-    w.add(DO, lambda values: environment.start_task(name, unit))
+    w.add(DO, lambda values: environment.start_task(name, unit), name="RUN")
     w.add(TURN, cost=1.0)
 
 
@@ -234,11 +234,11 @@ def _end(w: UnitWriter, node: nodes.End) -> None:
             return
         name = task.name.lower()
         w.add(NOW)
-        w.add(DO, lambda values: environment.end_task(name), cost=1.0)
+        w.add(DO, lambda values: environment.end_task(name), cost=1.0, name="END")
         return
     if w.function.kind == "main" and w.program.is_guarded:
         w.add(NOW)
-    w.add(END, lambda values: environment.end_program(), role=STOP)
+    w.add(END, lambda values: environment.end_program(), role=STOP, name="END")
 
 
 def _nothing(w: UnitWriter, node: nodes.Stmt) -> None:

@@ -41,7 +41,7 @@ def print_(w: UnitWriter, node: nodes.Print) -> None:
         return
     write = printer(w, number)
     w.add(NOW)
-    w.add(DO, lambda values: write(values, text(values)), cost=1.0)
+    w.add(DO, lambda values: write(values, text(values)), cost=1.0, name="PRINT")
 
 
 def line(w: UnitWriter, node: nodes.Call) -> None:
@@ -64,7 +64,7 @@ def _print_on_row(
         return
     say = hidden(w, "row") if w.program.names.uses_terminal else w.program.environment.say_on_row
     w.add(NOW)
-    w.add(DO, lambda values: say(row(values), text(values)), cost=1.0)
+    w.add(DO, lambda values: say(row(values), text(values)), cost=1.0, name="LINE")
 
 
 def number_of(w: UnitWriter, node: nodes.Expr | None) -> Get | None:

@@ -13,6 +13,7 @@ from motionlang.kernel.mint.resolve.symbols import TIME, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant, walk
+from motionlang.kernel.tools import named
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.steps.program import ProgramWriter
@@ -69,10 +70,16 @@ class UnitWriter:
         sets: int | None = None,
         role: str = "",
         is_copy: bool = False,
+        name: str = "",
     ) -> int:
-        """Append a step, which sets a variable, maybe to a copy of a reading; return its index."""
+        """Append a step, which sets a variable, maybe to a copy of a reading; return its index.
+
+        In a stack and in a profile its function has the `name`.
+        """
         if self.checks:
             return 0
+        if name:
+            named(name, do)
         if kind in (NOW, NOTE):  # what has been written so far is used by the step after it
             return self.steps.add(kind, do, to, self.at, Uses(), cost)
         uses = None

@@ -46,7 +46,7 @@ def wait(w: UnitWriter, node: nodes.Node, given: list[nodes.Expr], row: Keyword)
         ends = environment.end_of_wait(statements.base, statements.count, seconds)
         return Delay(clock, statements.at(statements.count), ends)
 
-    w.add(WAIT, rest)
+    w.add(WAIT, rest, name=row.name)
     w.pay()
 
 
@@ -68,7 +68,7 @@ def pause(w: UnitWriter, node: nodes.Pause) -> None:
         return environment.pause(lambda: holds(values), why, axes, ignores_data)
 
     w.add(NOW)
-    w.add(WAIT, paused)
+    w.add(WAIT, paused, name="PAUSE")
     w.pay()
 
 
@@ -164,14 +164,14 @@ def input_(w: UnitWriter, node: nodes.Input) -> None:
     if node.prompt is not None:
         write = terminal.printer(w, None if is_console else lambda values: values[chosen])
         prompt = expressions.value(w, node.prompt).get
-        w.add(DO, lambda values: write(values, prompt(values)))
+        w.add(DO, lambda values: write(values, prompt(values)), name="INPUT")
 
     def ask(values: Values) -> Wait:
         environment.acts += 1
         now = environment.statements.at(environment.statements.count)
         return _wait_for_answer(environment, now, CONSOLE if is_console else values[chosen])
 
-    w.add(WAIT, ask)
+    w.add(WAIT, ask, name="INPUT")
     is_text = kind.name == STRING
     typed = Value(
         lambda values: _take(environment, is_text, CONSOLE if is_console else values[chosen], node.start),

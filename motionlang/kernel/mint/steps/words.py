@@ -34,6 +34,7 @@ from motionlang.kernel.mint.runtime import binding, functions
 from motionlang.kernel.mint.runtime.task import PARENT
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
+from motionlang.kernel.tools import named
 
 if TYPE_CHECKING:
     from motionlang.kernel.mint.steps.unit import UnitWriter
@@ -63,15 +64,15 @@ def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     environment.reads_host_memory |= row.group == "comms"
     if not row.simulated:
         unsimulated.warn(w, node, row)
-        where = whatever(w, node, row)
+        gets, last = whatever(w, node, row)
         if w.checks:
             return typed(type_of(row))
-        return Value(_with(binding.bind(environment, "read", row), where), type_of(row))
+        return Value(_with(row, binding.bind(environment, "read", row), gets, last), type_of(row))
     if row.every and node.args and len(node.args) > 1:
         each = [_reading(w, [index], row).get for index in indices(w, node, row)]
         return answer(lambda values: all(get(values) for get in each))
     if row.every and by_default(w, node, row):
-        reads, default_axes = _each_axis(w, "read", row), environment.default_axes
+        reads, default_axes = binding.ByNumber(_by_axis(w, "read", row)), environment.default_axes
         return answer(lambda values: all(reads[axis]() for axis in default_axes()))
     return _reading(w, indices(w, node, row, single=True), row)
 
@@ -79,8 +80,8 @@ def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
 def _reading(w: UnitWriter, where: list[Value], row: Keyword) -> Value:
     if w.checks:
         return typed(type_of(row))
-    operation, gets = _bound(w, "read", row, where)
-    found = Value(_with(operation, gets), type_of(row))
+    operation, gets = bound(w, "read", row, where)
+    found = Value(_with(row, operation, gets), type_of(row))
     if row.solved:
         if not gets:
             found.solved = lambda values, level: operation(level)
@@ -89,14 +90,14 @@ def _reading(w: UnitWriter, where: list[Value], row: Keyword) -> Value:
     return found
 
 
-def _with(operation: Callable[..., Any], gets: list[Get]) -> Get:
-    """Return the function that calls an operation with these arguments."""
+def _with(row: Keyword, operation: Callable[..., Any], gets: list[Get], last: tuple[int, ...] = ()) -> Get:
+    """Return the function that calls the operation of a keyword with these arguments, and is called as the keyword."""
+    if last or len(gets) > 1:
+        return named(row.name, lambda values: operation(*[get(values) for get in gets], *last))
     if not gets:
-        return lambda values: operation()
-    if len(gets) == 1:
-        (get,) = gets
-        return lambda values: operation(get(values))
-    return lambda values: operation(*[get(values) for get in gets])
+        return named(row.name, lambda values: operation())
+    (get,) = gets
+    return named(row.name, lambda values: operation(get(values)))
 
 
 def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
@@ -124,7 +125,7 @@ def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
         if row.function == "shown"
         else getattr(functions, row.function)
     )
-    made = Value(_with(function, [each.get for each in found]), kind)
+    made = Value(_with(row, function, [each.get for each in found]), kind)
     if row.function == "absolute" and found[0].solved is not None:
         solved = found[0].solved
         made.solved = lambda values, level: function(solved(values, (level, 0.0)))
@@ -252,10 +253,12 @@ def _array(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
     return Value(expressions.whole(w, symbol), "array")
 
 
-def whatever(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = True) -> list[Get]:
-    """Return the arguments of a keyword that is not simulated: the values in its brackets, line and offset."""
+def whatever(
+    w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = True
+) -> tuple[list[Get], tuple[int, ...]]:
+    """Return the values in the brackets of a keyword that is not simulated, and its last arguments."""
     found = anything(w, node, row, single)
-    return [*joined(found, row, single), *location(w, node, row)]
+    return joined(found, row, single), location(w, node, row)
 
 
 def anything(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False) -> list[Value]:
@@ -277,106 +280,98 @@ def joined(found: list[Value], row: Keyword, single: bool = False) -> list[Get]:
     return [each.get for each in ([together(found)] if row.index == "axes" and not single else found)]
 
 
-def location(w: UnitWriter, node: nodes.Node, row: Keyword) -> list[Get]:
+def location(w: UnitWriter, node: nodes.Node, row: Keyword) -> tuple[int, ...]:
     """Return the last arguments of the operations of a keyword that is not simulated: line and source offset."""
     line = w.program.line(node.start)
     if row.function == STORED:
-        return [lambda values: line]
-    at = -1 if w.program.names.typed else node.start  # a typed sub may run when another line is executed
-    return [lambda values: line, lambda values: at]
+        return (line,)
+    # A typed sub may run when another line is executed.
+    return line, -1 if w.program.names.typed else node.start
 
 
 # ----------------------------------------------------------------------------------------------------- binding
 
 
-def _bound(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> tuple[Callable[..., Any], list[Get]]:
+def bound(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> tuple[Callable[..., Any], list[Get]]:
     """Return an operation, and the functions of the indices that it still needs."""
-    environment = w.program.environment
-    gets = [each.get for each in where]
-    if row.index not in ("axis", "axes") or not row.simulated:
-        return binding.bind(environment, how, row), gets
-    if len(where) == 1 and where[0].const is not None:
-        axis = int(where[0].const)
+    environment, gets = w.program.environment, [each.get for each in where]
+    if row.index in ("axis", "axes") and row.simulated and len(where) == 1:
+        if where[0].const is not None:
+            return _by_axis(w, how, row)(int(where[0].const)), []
         if how in ("read", "write", "replaced"):
-            return _each_axis(w, how, row)[axis], []
-        return binding.with_first(binding.bind(environment, how, row), axis), []
-    if how in ("read", "write", "replaced") and len(gets) == 1:
-        each, (get,) = _each_axis(w, how, row), gets
-        return lambda axis, *more: each[axis](*more), [get]
+            each = binding.ByNumber(_by_axis(w, how, row))
+            return lambda axis, *more: each[axis](*more), gets
     return binding.bind(environment, how, row), gets
 
 
-def _each_axis(w: UnitWriter, how: str, row: Keyword) -> binding.ByNumber[Callable[..., Any]]:
-    """Return the operations of a keyword by axis, each bound when it is first used."""
+def _by_axis(w: UnitWriter, how: str, row: Keyword) -> Callable[[int], Callable[..., Any]]:
+    """Return the function that makes the operation of a keyword on an axis."""
     environment = w.program.environment
     if how == "replaced":
-        return binding.ByNumber(binding.replaced_by_axis(environment, row))
-    return binding.ByNumber(binding.bind_to_axis(environment, how, row))
+        return binding.replaced_by_axis(environment, row)
+    return binding.bind_to_axis(environment, how, row)
 
 
-def bound(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> Callable[..., Any]:
-    """Return an operation as a function of the variables and of the arguments that follow the indices."""
-    operation, gets = _bound(w, how, row, where)
-    if not gets:
-        return lambda values, *more: operation(*more)
-    return lambda values, *more: operation(*[get(values) for get in gets], *more)
+def action(
+    w: UnitWriter, how: str, row: Keyword, where: list[Value], given: list[Get], last: tuple[int, ...]
+) -> Get:
+    """Return the function of a step that changes the machine, and counts as an action.
 
-
-def action(w: UnitWriter, how: str, row: Keyword, where: list[Value]) -> Callable[..., Any]:
-    """Return a function of the variables and further arguments that changes the machine, and counts as an action.
-
-    A loop may repeat a write that changes nothing; see `changes.py`.
+    The operation receives the indices, the values that it is `given`, and what is known before the run. A loop may
+    repeat a write that changes nothing; see `changes.py`.
     """
     environment, clock = w.program.environment, w.program.environment.clock
-    operation, gets = _bound(w, how, row, where)
+    operation, indices = bound(w, how, row, where)
+    gets = [*indices, *given]
 
     if not binding.is_repeatable(how, row):
 
-        def acted(values: Values, *more: Any) -> Any:
+        def acted(values: Values) -> None:
             environment.acts += 1
-            return operation(*[get(values) for get in gets], *more)
+            operation(*[get(values) for get in gets], *last)
 
         return acted
     if binding.is_reported(how, row):
         listeners = environment.controller.outputs.listeners
 
-        def switched(values: Values, *more: Any) -> None:
-            if operation(*[get(values) for get in gets], *more):
+        def switched(values: Values) -> None:
+            if operation(*[get(values) for get in gets], *last):
                 environment.switched += 1
                 environment.acts += bool(listeners)
 
         return switched
-    before, _ = _replaced(w, row, where)
+    before = _replaced(w, row, where)
     dependencies = environment.dependencies
 
-    def changed(values: Values, *more: Any) -> bool:
-        indices = [get(values) for get in gets]
+    def changed(values: Values) -> bool:
+        arguments = [get(values) for get in gets]
         if dependencies.notes is None:  # no loop asks
-            operation(*indices, *more)
+            operation(*arguments, *last)
             return True
-        made, old = clock.made, before(*indices, *more)
-        operation(*indices, *more)
-        return bool(clock.made != made or before(*indices, *more) != old)
+        made, old = clock.made, before(*arguments, *last)
+        operation(*arguments, *last)
+        return bool(clock.made != made or before(*arguments, *last) != old)
 
     if row.driven in HOST_MEMORY:
 
-        def copied(values: Values, *more: Any) -> None:
-            has_changed = changed(values, *more)
+        def copied(values: Values) -> None:
+            has_changed = changed(values)
             environment.copies += has_changed
             environment.acts += has_changed and environment.reads_host_memory
 
         return copied
 
-    def acts(values: Values, *more: Any) -> None:
-        environment.acts += changed(values, *more)
+    def acts(values: Values) -> None:
+        environment.acts += changed(values)
 
     return acts
 
 
-def _replaced(w: UnitWriter, row: Keyword, where: list[Value]) -> tuple[Callable[..., Any], list[Get]]:
+def _replaced(w: UnitWriter, row: Keyword, where: list[Value]) -> Callable[..., Any]:
+    """Return the function of the arguments of a write that reads what it replaces."""
     if row.simulated and (row.index == "axis" or (row.index == "axes" and where and where[0].type != "axes")):
-        return _bound(w, "replaced", row, where)
-    return binding.replaced(w.program.environment, row), []
+        return bound(w, "replaced", row, where)[0]
+    return binding.replaced(w.program.environment, row)
 
 
 def together(axes: list[Value]) -> Value:
@@ -388,8 +383,3 @@ def together(axes: list[Value]) -> Value:
         known = tuple([int(each.const) for each in axes])  # type: ignore[arg-type]
         return Value(lambda values: known, "axes")
     return Value(lambda values: tuple([get(values) for get in gets]), "axes")
-
-
-def hidden(w: UnitWriter, name: str) -> Callable[..., Any]:
-    """Return the operation of a row that no program can name."""
-    return binding.bind(w.program.environment, "read", binding.row_of(name))
