@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from copy import copy
 from dataclasses import KW_ONLY, InitVar, dataclass, field
-from math import inf
+from math import inf, nextafter
 from typing import Any
 
 # The channels of a bank of inputs or outputs.
@@ -185,8 +185,9 @@ class Keyword:
 
     @property
     def limits(self) -> tuple[float, float]:
-        """The accepted range, infinite where it is open."""
-        return (-inf if self.low is None else self.low), (inf if self.high is None else self.high)
+        """The smallest and the largest accepted value, infinite where the range is open."""
+        high = inf if self.high is None else nextafter(self.high, -inf) if self.below else self.high
+        return (-inf if self.low is None else self.low), high
 
     def refusal(self, value: float) -> tuple[str, str] | None:
         """Return message and hint for a value outside the range, as NaN always is."""

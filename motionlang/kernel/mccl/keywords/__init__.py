@@ -9,6 +9,7 @@ function of a command is called with the task and the `Command`.
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import cache
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.vocabulary import Vocabulary
@@ -19,26 +20,20 @@ trajectory trajectory_backlash filter filter_stages limits units modes_gearing m
 motion_homing motion_points motion_record contour reports io macros registers registers_functions registers_variables
 flow flow_waits miscellaneous miscellaneous_texts
 """
-_vocabulary: Vocabulary | None = None
-_tuning: tuple[Keyword, ...] = ()
 
 
+@cache
 def table() -> Vocabulary:
     """Return all commands of MCCL."""
-    global _vocabulary  # noqa: PLW0603 - one vocabulary per process
-    if _vocabulary is None:
-        from motionlang.kernel.mccl.keywords.index import FILES
+    from motionlang.kernel.mccl.keywords.index import FILES
 
-        _vocabulary = Vocabulary("motionlang.kernel.mccl.keywords", FILES)
-    return _vocabulary
+    return Vocabulary(__name__, FILES)
 
 
+@cache
 def tuning() -> tuple[Keyword, ...]:
     """Return the commands that set a quantity of the servo loop."""
-    global _tuning  # noqa: PLW0603 - as often as a gain is set
-    if not _tuning:
-        _tuning = tuple(row for row in table() if row.tunes)
-    return _tuning
+    return tuple(row for row in table() if row.tunes)
 
 
 def of_families(families: Collection[str]) -> frozenset[str]:

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.keyword import Actions
 from motionlang.kernel.mccl.axis.axis import AxisState, real
-from motionlang.kernel.mccl.axis.launch import aim
 from motionlang.kernel.mccl.axis.motor import torque
 from motionlang.kernel.mccl.axis.status import word
+from motionlang.kernel.mccl.axis.variables import NAMES, read
 from motionlang.kernel.mccl.keywords.row import Group
 
 if TYPE_CHECKING:
@@ -29,24 +29,14 @@ def _each(reader: Reader) -> Action:
     return tell
 
 
-def _position(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, task.board.controller.position(axis.number) + axis.shift)
+def _variable(name: str, unit: str = "position") -> Action:
+    """Return an action that reports a variable for each axis of the command."""
 
+    def reader(task: CommandTask, axis: AxisState) -> str:
+        value, _ = read(task.board, axis, NAMES[name])
+        return task.quantity(axis, value, unit)
 
-def _target(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, aim(task.board, axis))
-
-
-def _optimal(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, task.board.controller.demand(axis.number) + axis.shift)
-
-
-def _following(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, task.board.controller.following_error(axis.number), "uu")
-
-
-def _velocity(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, task.board.controller.velocity(axis.number), "uu/s")
+    return _each(reader)
 
 
 def _breakpoint(task: CommandTask, axis: AxisState) -> str:
@@ -55,10 +45,6 @@ def _breakpoint(task: CommandTask, axis: AxisState) -> str:
             "NONE" if task.board.assumptions.get("mccl.no-breakpoint") == "NONE" else task.quantity(axis, 0.0)
         )
     return task.quantity(axis, axis.breakpoint)
-
-
-def _index(task: CommandTask, axis: AxisState) -> str:
-    return task.quantity(axis, axis.index_position)
 
 
 def _stored_value(name: str) -> Reader:
@@ -103,16 +89,16 @@ _contour_row = Group("contour").row
 
 
 ROWS = (
-    _row("TP", "reading", "R", "axes", "uu", Actions("tell_position", do=_each(_position)),
+    _row("TP", "reading", "R", "axes", "uu", Actions("tell_position", do=_variable("POSITION")),
          "Tell the actual position.", "1TP", effect="position", meant="POS PRINT"),
-    _row("TT", "reading", "R", "axes", "uu", Actions("tell_target", do=_each(_target)), "Tell the target.", "1TT"),
-    _row("TO", "reading", "R", "axes", "uu", Actions("tell_optimal", do=_each(_optimal)),
+    _row("TT", "reading", "R", "axes", "uu", Actions("tell_target", do=_variable("TARGET")), "Tell the target.", "1TT"),
+    _row("TO", "reading", "R", "axes", "uu", Actions("tell_optimal", do=_variable("OPTIMAL")),
          "Tell the optimal position, that of the trajectory.",
          "1TO"),
-    _row("TF", "reading", "R", "axes", "uu", Actions("tell_following", do=_each(_following)),
+    _row("TF", "reading", "R", "axes", "uu", Actions("tell_following", do=_variable("ERROR", "uu")),
          "Tell the following error, optimal minus actual.",
          "1TF"),
-    _row("TV", "reading", "R", "axes", "uu/s", Actions("tell_velocity", do=_each(_velocity)),
+    _row("TV", "reading", "R", "axes", "uu/s", Actions("tell_velocity", do=_variable("VELOCITY", "uu/s")),
          "Tell the actual velocity.", "1TV"),
     _row("TS", "reading", "R", "axes", "bits", tell_status,
          "Tell a status word: 0 status, 1 auxiliary, 2 profile, 3 mode.", "1TS", low=0, high=3, meant="STATUS"),
@@ -134,7 +120,7 @@ ROWS = (
          "Tell the torque limit.", "1TQ"),
     _row("TB", "reading", "R", "axes", "uu", Actions("tell_breakpoint", do=_each(_breakpoint)),
          "Tell the position of the breakpoint.", "1TB"),
-    _row("TZ", "reading", "R", "axes", "uu", Actions("tell_index", do=_each(_index)),
+    _row("TZ", "reading", "R", "axes", "uu", Actions("tell_index", do=_variable("INDEX")),
          "Tell the position at which the index was last seen.",
          "1TZ"),
     _contour_row("TX", "reading", "R", "axis", "number", tell_segment, "Tell the number of contour paths carried out.",

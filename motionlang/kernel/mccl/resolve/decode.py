@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from math import nextafter
 from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.keyword import Keyword
@@ -11,50 +10,17 @@ from motionlang.kernel.lang.typography import typographic, unclosed
 from motionlang.kernel.mccl import codes
 from motionlang.kernel.mccl.codes import Fault
 from motionlang.kernel.mccl.keywords import table
-from motionlang.kernel.mccl.keywords.row import not_simulated
 from motionlang.kernel.mccl.resolve.command import NONE, NUMBER, REGISTER, TEXT, Command
 from motionlang.kernel.mccl.syntax import tree
 from motionlang.kernel.tools import as_hint
 
 if TYPE_CHECKING:
-    from motionlang.kernel.mccl.runtime.task import Action, CommandTask
+    from motionlang.kernel.mccl.runtime.task import CommandTask
 
 
 _DIGITS = "0123456789"
 # A number beyond this is an error, even for a command without a range.
 _MAX_NUMBER = 1e15
-
-
-class DecodedWord:
-    """A mnemonic with its axis, looked up: row, action and accepted numbers.
-
-    If there is no such command, `row` is None and `fault` is the reason.
-    """
-
-    __slots__ = ("action", "axis", "fault", "high", "low", "name", "pure", "row", "takes_text", "without")
-
-    def __init__(self, axis: int | None, name: str) -> None:
-        self.name, self.axis = str(name), axis or 0  # a plain text, which the log stores
-        row = self.row = table().get(self.name)
-        self.fault: Fault | None = None
-        self.without: Fault | None = None  # the fault if it has no parameter
-        self.takes_text = self.pure = False
-        self.low, self.high = -_MAX_NUMBER, _MAX_NUMBER
-        self.action: Action = not_simulated
-        if row is None:
-            self.fault = _unknown(name)
-            return
-        assert row.actions.do is not None
-        self.action, self.pure = row.actions.do, hasattr(row.actions.do, "pure")
-        self.takes_text = row.unit == "text" and row.access == "W"
-        if row.low is not None:
-            self.low = max(row.low, -_MAX_NUMBER)
-        if row.high is not None:
-            self.high = min(nextafter(row.high, -_MAX_NUMBER) if row.below else row.high, _MAX_NUMBER)
-        if self.takes_text:
-            self.without = _wants_text(row)
-        elif row.simulated and not self.low <= 0 <= self.high:
-            self.without = out_of_range(0, row)
 
 
 def problem(command: Command) -> Fault | None:
@@ -83,32 +49,32 @@ def decoded(node: tree.Command | tree.Wrong, text: str) -> Command:
     """Return the command of a node and its text; an invalid one raises its fault when it runs."""
     if isinstance(node, tree.Wrong):
         return _no_command(node, text)
-    word = DecodedWord(node.axis, node.word)
-    fault = word.fault
+    name, axis = str(node.word), node.axis or 0  # a plain text, which the log stores
+    row = table().get(name)
     kind: int
     value: float | int | str
     match node.argument:
         case None:
             kind, value = NONE, 0
-            fault = fault or word.without
         case tree.Register():
             kind, value = REGISTER, node.argument.number
         case str():
             kind, value = TEXT, node.argument
-            if not word.takes_text:
-                fault = fault or _no_text(word)
         case _:
             kind, value = NUMBER, node.argument
-            if not word.low <= value <= word.high or word.takes_text:
-                fault = fault or _misfit(word, value)
-    if fault is None:
-        return Command(text, word.name, word.row, word.axis, kind, value, word.action, word.pure)
-    return _wrong(text, word, fault)
+    if row is None:
+        return _wrong(text, name, None, axis, _unknown(node.word))
+    fault = _misfit(row, kind, value)
+    if fault is not None:
+        return _wrong(text, name, row, axis, fault)
+    assert row.actions.do is not None
+    return Command(text, name, row, axis, kind, value, row.actions.do, hasattr(row.actions.do, "pure"))
 
 
-def _wrong(text: str, word: DecodedWord, fault: Fault) -> Command:
+def _wrong(text: str, name: str, row: Keyword | None, axis: int, fault: Fault) -> Command:
     """Return a command without parameter that raises a fault."""
-    return Command(text, word.name, word.row, word.axis, NONE, 0, _Wrong(fault), word.pure)
+    is_pure = row is not None and hasattr(row.actions.do, "pure")
+    return Command(text, name, row, axis, NONE, 0, _Wrong(fault), is_pure)
 
 
 def _no_command(node: tree.Wrong, text: str) -> Command:
@@ -117,7 +83,7 @@ def _no_command(node: tree.Wrong, text: str) -> Command:
     misprint = typographic(text[end:].lstrip(" \t")) or unclosed(text[end:])
     if misprint is not None:
         name = text[:end].lstrip(_DIGITS)[:2].upper()
-        return Command(text, name, None, 0, NONE, 0, _Wrong(Fault(codes.FORMAT, *misprint, "syntax")), False)
+        return _wrong(text, name, None, 0, Fault(codes.FORMAT, *misprint, "syntax"))
     if not node.word:
         wrong = f"{text} is not a command"
         hint = "a command is [axis] two letters [parameter], such as 1MR1000"
@@ -131,13 +97,11 @@ def _no_command(node: tree.Wrong, text: str) -> Command:
         fault = Fault(codes.FORMAT, wrong, hint, "syntax")
         digits = len(text) - len(text.lstrip(_DIGITS))
         name, axis = text[digits : digits + 2].upper(), int(text[:digits][:9] or 0)
-        return Command(text, name, None, axis, NONE, 0, _Wrong(fault), False)
-    word = DecodedWord(node.axis, node.word)
+        return _wrong(text, name, None, axis, fault)
+    row = table().get(node.word)
     letters = text[end - 2 :].rstrip("0123456789.+-")
-    fault = (
-        _unknown(letters) if word.row is None else _no_parameter(text[:end], text[end:], word.row, letters)
-    )
-    return _wrong(text, word, fault)
+    fault = _unknown(letters) if row is None else _no_parameter(text[:end], text[end:], row, letters)
+    return _wrong(text, str(node.word), row, node.axis or 0, fault)
 
 
 def _unknown(word: str) -> Fault:
@@ -155,7 +119,7 @@ def _no_parameter(command: str, rest: str, row: Keyword, letters: str) -> Fault:
         return Fault(codes.FORMAT, f"{row.name} needs a register number after @", "such as MR@10", "syntax")
     if rest[0] == '"':
         return Fault(codes.FORMAT, f"the text after {row.name} is not closed", 'a text ends with "', "syntax")
-    if row.unit == "text" and row.access == "W":
+    if _takes_text(row):
         return _wants_text(row)
     others, advice = candidates(letters) if len(letters) > 2 else [], ""
     number = rest.strip("=()[] \t")
@@ -170,30 +134,41 @@ def _no_parameter(command: str, rest: str, row: Keyword, letters: str) -> Fault:
     return Fault(codes.FORMAT, f"{rest} is not a number", advice, "syntax", others)
 
 
-def _misfit(word: DecodedWord, value: float) -> Fault:
-    """Return the fault of a number that the command does not accept."""
-    assert word.row is not None
-    return _wants_text(word.row) if word.takes_text else out_of_range(value, word.row)
+def _misfit(row: Keyword, kind: int, value: float | int | str) -> Fault | None:
+    """Return the fault of a parameter that the command does not accept, if it is known before the run."""
+    if isinstance(value, str):
+        return None if _takes_text(row) else _no_text(row)
+    if kind == REGISTER:
+        return None
+    if _takes_text(row):
+        return _wants_text(row)
+    if (kind == NONE and not row.simulated) or _accepts(row, value):
+        return None
+    return out_of_range(value, row)
+
+
+def _takes_text(row: Keyword) -> bool:
+    return row.unit == "text" and row.access == "W"
 
 
 def _wants_text(row: Keyword) -> Fault:
     return Fault(codes.FORMAT, f'{row.name} needs a text in quotes, such as {row.name}"STATUS"', "", "values")
 
 
-def _no_text(word: DecodedWord) -> Fault:
-    assert word.row is not None
-    return Fault(codes.FORMAT, f"{word.name} takes no text", as_hint(word.row.help), "values")
+def _no_text(row: Keyword) -> Fault:
+    return Fault(codes.FORMAT, f"{row.name} takes no text", as_hint(row.help), "values")
 
 
 def checked(value: float | int, row: Keyword) -> float | int:
     """Return the value if the command accepts it; raise Fault if not."""
-    low, high = row.low, row.high
-    if low is None and high is None and abs(value) <= _MAX_NUMBER:
-        return value
-    is_high = high is not None and (value >= high if row.below else value > high)
-    if not is_high and (low is None or value >= low) and abs(value) <= _MAX_NUMBER:
+    if _accepts(row, value):
         return value
     raise out_of_range(value, row)
+
+
+def _accepts(row: Keyword, value: float | int) -> bool:
+    low, high = row.limits
+    return low <= value <= high and abs(value) <= _MAX_NUMBER
 
 
 def out_of_range(value: float | int, row: Keyword) -> Fault:

@@ -6,6 +6,8 @@ keywords that it uses. `index` lists the file of each keyword, so the package it
 
 from __future__ import annotations
 
+from functools import cache
+
 from motionlang.kernel.lang.vocabulary import Vocabulary
 
 # In the order of the documentation pages. The last file holds keywords that are not simulated.
@@ -15,14 +17,11 @@ following_auxiliary table_motion_cams table_motion_splines state timing tasks te
 comms modbus remote network limits limits_switches limits_resetting homing latches sensing servo functions nonvolatile
 no_effect identity legacy constants language library
 """
-_vocabulary: Vocabulary | None = None
 
 
+@cache
 def table() -> Vocabulary:
     """Return the table of all Mint keywords."""
-    global _vocabulary  # noqa: PLW0603 - one vocabulary a process
-    if _vocabulary is None:
-        from motionlang.kernel.mint.keywords.index import FILES
+    from motionlang.kernel.mint.keywords.index import FILES
 
-        _vocabulary = Vocabulary("motionlang.kernel.mint.keywords", FILES)
-    return _vocabulary
+    return Vocabulary(__name__, FILES)
