@@ -165,7 +165,7 @@ def _tree(value: Any, name: str = "", depth: int = 0) -> list[str]:
             for field in getattr(cls, "__slots__", ()):
                 inner = getattr(value, field, None)
                 if (
-                    field not in ("start", "end", "source")
+                    field not in ("start", "end", "source", "tokens")
                     and inner is not False
                     and inner not in (None, [], (), "")
                 ):

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from lark import Lark
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from motionlang import sweep
 from motionlang.cli import main
@@ -25,7 +25,7 @@ def calls(
 
     def count(command: str) -> tuple[int, int]:
         parsed, checked = (
-            count_calls(monkeypatch, (Lark, "parse")),
+            count_calls(monkeypatch, (InteractiveParser, "feed_eof")),
             count_calls(monkeypatch, (program, "examined")),
         )
         word, *options = command.split()
@@ -70,7 +70,7 @@ def test_variants_of_a_program_are_not_read(
 def test_the_settings_of_a_machine_are_varied_without_a_parse(monkeypatch: pytest.MonkeyPatch) -> None:
     """The check depends on the number of axes."""
     parsed, checked = (
-        count_calls(monkeypatch, (Lark, "parse")),
+        count_calls(monkeypatch, (InteractiveParser, "feed_eof")),
         count_calls(monkeypatch, (program, "examined")),
     )
     rows = sweep(Source("a.mnt", "MOVER(0) = 5 : GO(0)\n"), {"controller.axes": [1, 2, 3]}, jobs=1)

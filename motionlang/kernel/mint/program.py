@@ -111,7 +111,7 @@ class MintProgram(Program):
         module = self._text.tree
         with StackSpace():
             made: Module = copied(module)  # type: ignore[assignment]
-            made.source, made.errors = module.source, module.errors
+            made.source, made.errors, made.tokens = module.source, module.errors, module.tokens
             if not module.errors and (self.values or self.given):
                 self._put_values(made)
         return made

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from lark import Lark
+from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from motionlang.commands.check.fix import fix
 from motionlang.kernel import Source, dialect
@@ -116,7 +116,7 @@ def test_the_hint_on_the_other_language_has_no_option_of_the_command_line() -> N
 def test_an_editor_parses_a_text_once_for_diagnostics_names_and_hovers(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    parsed = count_calls(monkeypatch, (Lark, "parse"))
+    parsed = count_calls(monkeypatch, (InteractiveParser, "feed_eof"))
     page = Page(Source("a.mnt", "Dim spare\nMOVER(0) = 5 : GO(0)\n"), dialect("mint"))
     assert [each.code for each in findings(page)] == ["unused-variable"]
     assert [each.name for each in page.names.definitions] == ["spare"]

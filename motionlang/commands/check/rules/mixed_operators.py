@@ -36,7 +36,7 @@ def check(facts: MintFacts, warn: Warn) -> None:
             continue
         if not any(type(each) is nodes.Binary and each.op in _BITS for each in walk([node])):
             continue
-        tokens = tokens or Tokens(text)
+        tokens = tokens or Tokens(text, facts.module.tokens)
         chain = _Chain(text, tokens, node)
         inner |= chain.inner
         bits = [op for op in chain.ops if tokens.texts[op] in _BITS]

@@ -72,7 +72,7 @@ def check_model(module: Module, source: Source, model: str, add: Callable[..., N
         return
     find = _not_v4 if wanted == V4 else _not_mintmt
     other = MINTMT if wanted == V4 else V4
-    for at, what, hint, replacement, end in find(module, source, Tokens(source.text)):
+    for at, what, hint, replacement, end in find(module, source, Tokens(source.text, module.tokens)):
         message = f"{what} is {other}: it does not compile on {wanted}"
         add("model", message, at, hint, fix=replacement, end=end)
     product = named(model)
@@ -90,7 +90,7 @@ def written_for(module: Module) -> Target:
     extension speak for v4, although MintMT accepts them.
     """
     source = module.source
-    tokens = Tokens(source.text)
+    tokens = Tokens(source.text, module.tokens)
     found = [list(find(module, source, tokens)) for find in (_not_mintmt, _not_v4)]
     if found[0] and found[1]:
         return Target("", [], [])

@@ -32,12 +32,12 @@ def port_differences(module: Module, names: Symbols, graph: StepGraph) -> list[D
     """Return a warning for each difference of a checked program, with its fix if that is certain."""
     problems = Problems(module)
     everything = list(walk(statement for each in names.functions for statement in each.body))
-    _prints(module.source, everything, problems)
+    _prints(module, everything, problems)
     _words(module.source, set(map(id, _of_error_handlers(names, graph))), everything, problems)
     return sorted(problems.found.values(), key=lambda each: (each.line, each.column))
 
 
-def _prints(source: Source, everything: Iterable[nodes.Node], problems: Problems) -> None:
+def _prints(module: nodes.Module, everything: Iterable[nodes.Node], problems: Problems) -> None:
     """Report what is printed as a Float without a format."""
     items = [
         item
@@ -47,27 +47,26 @@ def _prints(source: Source, everything: Iterable[nodes.Node], problems: Problems
         if not item.using and item.value.type == FLOAT
     ]
     whole = _whole_variables(everything) if items else set()
-    tokens = Tokens(source.text) if items else None
+    text, tokens = module.source.text, Tokens(module.source.text, module.tokens if items else ())
     for item in items:
         end = item.value.end
-        assert tokens is not None
         k = tokens.starts.index(item.value.start)
         while tokens.kinds[k - 1] == "LPAR":
             k -= 1
         first = start = tokens.starts[k]
         while tokens.starts[k] < end or tokens.kinds[k] == "RPAR":
             # A fix is in one line, the last one of a continued expression.
-            start = tokens.starts[k] if "\n" in source.text[start : tokens.ends[k]] else start
+            start = tokens.starts[k] if "\n" in text[start : tokens.ends[k]] else start
             end = max(end, tokens.ends[k])
             k += 1
-        text = " ".join(source.text[first:end].split())
+        shown = " ".join(text[first:end].split())
         if _is_whole(item.value, whole):
-            message = f"MintMT prints {text} with four decimals, Mint v4 without"
-            fix = source.text[start:end] + _WHOLE
-            problems.add("model", message, start, f"write {text}{_WHOLE}", "warning", fix, end=end)
+            message = f"MintMT prints {shown} with four decimals, Mint v4 without"
+            fix = text[start:end] + _WHOLE
+            problems.add("model", message, start, f"write {shown}{_WHOLE}", "warning", fix, end=end)
         else:
-            message = f"MintMT prints {text} with four decimals, Mint v4 with as many as it needs"
-            problems.add("model", message, start, f"choose the decimals: {text} USING 1, 2", "warning")
+            message = f"MintMT prints {shown} with four decimals, Mint v4 with as many as it needs"
+            problems.add("model", message, start, f"choose the decimals: {shown} USING 1, 2", "warning")
 
 
 def _whole_variables(everything: Iterable[nodes.Node]) -> set[Symbol]:

@@ -54,7 +54,7 @@ def recovered(source: Source) -> Module:
     for token in reader.kept:
         parser.feed_token(token)
     module: Module = parser.feed_eof()  # type: ignore[no-untyped-call]
-    module.source, module.errors = source, ProgramError(reader.diagnostics).diagnostics
+    module.source, module.errors, module.tokens = source, ProgramError(reader.diagnostics).diagnostics, []
     return module
 
 

@@ -19,6 +19,7 @@ from motionlang.kernel.mint.syntax.node import Node as Node  # noqa: PLC0414 - n
 from motionlang.kernel.source import Source
 
 if TYPE_CHECKING:
+    from motionlang.kernel.lang.syntax.grammar import Token
     from motionlang.kernel.mint.resolve.symbols import Type
 
 NO_WORD = Word("")
@@ -464,12 +465,13 @@ class UserType(Resolved):
 
 
 class Located(Node):
-    """A tree with its source and its syntax errors, which comparisons ignore."""
+    """A tree with its source, its syntax errors and, if there are none, its tokens; comparisons ignore these."""
 
-    __slots__ = ("errors", "source")
+    __slots__ = ("errors", "source", "tokens")
 
     source: Source
     errors: list[Diagnostic]
+    tokens: list[Token]
 
     def line(self, at: int) -> int:
         """Return the line, from 1, of an offset."""

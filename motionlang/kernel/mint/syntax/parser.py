@@ -8,7 +8,7 @@ from typing import cast
 from lark import UnexpectedInput
 
 from motionlang.kernel.errors import ProgramError
-from motionlang.kernel.lang.syntax.grammar import lex
+from motionlang.kernel.lang.syntax.grammar import Token, lex
 from motionlang.kernel.mint import syntax
 from motionlang.kernel.mint.syntax.build import Misuse
 from motionlang.kernel.mint.syntax.nesting import (
@@ -39,8 +39,10 @@ def parse(source: Source) -> Module:
 def read(source: Source) -> Module:
     """Return the tree of a text, which has its syntax errors, and a `Wrong` in place of what has one."""
     try:
-        module = cast(Module, PARSER.parse(ended(source.text)))
-        module.source, module.errors = source, []
+        parser = PARSER.parse_interactive(ended(source.text))
+        tokens = parser.exhaust_lexer()
+        module = cast(Module, parser.feed_eof(tokens[-1]))  # type: ignore[no-untyped-call]
+        module.source, module.errors, module.tokens = source, [], cast("list[Token]", tokens)
     except (UnexpectedInput, Misuse):
         module = syntax.recovered(source)
     else:

@@ -6,9 +6,9 @@ All else reads the tree.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
-from motionlang.kernel.lang.syntax.grammar import BAD, END, lex, load
+from motionlang.kernel.lang.syntax.grammar import BAD, END, Token, lex, load
 from motionlang.kernel.mint.syntax.build import Builder
 
 PARSER = load("mint", Builder())
@@ -30,14 +30,14 @@ _SIGNS = frozenset("+-~")
 
 
 class Tokens:
-    """The kinds, texts and offsets of the tokens of a text, with an empty one for its end."""
+    """The kinds, texts and offsets of the tokens of a text, maybe `found` before, with an empty one for its end."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, found: Iterable[Token] | None = None) -> None:
         self.kinds: list[str] = []
         self.texts: list[str] = []
         self.starts: list[int] = []
         self.ends: list[int] = []
-        for token in lex(PARSER, ended(text)):
+        for token in lex(PARSER, ended(text)) if found is None else found:
             self.kinds.append(token.type)
             self.texts.append(str(token))
             self.starts.append(token.start_pos or 0)
