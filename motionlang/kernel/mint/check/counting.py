@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from motionlang.kernel.mint.check.values import Value
 from motionlang.kernel.mint.resolve.handlers import label_handlers
 from motionlang.kernel.mint.resolve.symbols import Symbol
 from motionlang.kernel.mint.syntax import nodes
@@ -22,9 +21,9 @@ def check_subscript(w: UnitWriter, node: nodes.Node, value: float, size: int) ->
         w.problem("index", f"there is no element {value}: the subscript must be 1 to {size}", node, hint)
 
 
-def check_step(w: UnitWriter, node: nodes.For, symbol: Symbol, by: Value) -> None:
+def check_step(w: UnitWriter, node: nodes.For, symbol: Symbol, by: float | str | None) -> None:
     """Report a For that never ends, since its step is 0, or is only known when the program starts."""
-    may_be_0 = by.const == 0 or (by.const is None and node.step is not None and _is_known_at_start(node.step))
+    may_be_0 = by == 0 or (by is None and node.step is not None and _is_known_at_start(node.step))
     if node.step is not None and may_be_0 and not _may_end(node, symbol):
         w.problem("range", "a For that counts by 0 never ends", node.step, "leave it with Exit For")
 

@@ -26,11 +26,11 @@ from motionlang.kernel.lang.steps import (
 )
 from motionlang.kernel.mint.check.counting import check_elements, check_step
 from motionlang.kernel.mint.check.unknown_words import another_name, label_hint
-from motionlang.kernel.mint.check.values import NOTHING, Get, Value, arithmetic, article, combined, comparison
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.resolve.symbols import NUMERIC, STRING
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import NOTHING, Get, Value, arithmetic, article, combined, comparison
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import is_stop
 
@@ -194,7 +194,7 @@ def for_(w: UnitWriter, node: nodes.For, block: Block) -> None:
     w.settle(node.first, node.stop, step)
     first, stop, by = expressions.values(w, [node.first, node.stop, step], _limit)
     if w.checks:
-        check_step(w, node, symbol, by)
+        check_step(w, node, symbol, by.const)
         _body(w, "for", node, [], block)
         check_elements(w, node, symbol)
         return

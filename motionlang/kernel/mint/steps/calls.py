@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.steps import CALL, DO, Steps, Values, own
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import NOTHING, Get, Value, typed
 from motionlang.kernel.mint.resolve.symbols import FLOAT, RECORD, Function, Symbol
 from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.steps.places import copied
+from motionlang.kernel.mint.steps.values import NOTHING, Get, Value, typed
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import count_of
 

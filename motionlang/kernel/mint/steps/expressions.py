@@ -15,21 +15,6 @@ from motionlang.kernel.lang.steps import BRANCH, DO, Values, own
 from motionlang.kernel.lang.variable_uses import Span
 from motionlang.kernel.mint.check.counting import check_subscript
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import (
-    ARITHMETIC,
-    COMPARISONS,
-    NOTHING,
-    Get,
-    Value,
-    answer,
-    article,
-    as_float,
-    as_integer,
-    combined,
-    literal,
-    negated,
-    typed,
-)
 from motionlang.kernel.mint.resolve.folding import binary as fold_binary
 from motionlang.kernel.mint.resolve.folding import unary as fold_unary
 from motionlang.kernel.mint.resolve.symbols import (
@@ -47,6 +32,21 @@ from motionlang.kernel.mint.runtime import functions
 from motionlang.kernel.mint.runtime.functions import INT_HIGH, MAX_TEXT
 from motionlang.kernel.mint.steps import calls, words
 from motionlang.kernel.mint.steps.places import is_shared, subscript
+from motionlang.kernel.mint.steps.values import (
+    ARITHMETIC,
+    COMPARISONS,
+    NOTHING,
+    Get,
+    Value,
+    answer,
+    article,
+    as_float,
+    as_integer,
+    combined,
+    literal,
+    negated,
+    typed,
+)
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nesting import LINKS
 from motionlang.kernel.mint.syntax.traversal import meant, walk

@@ -8,12 +8,12 @@ from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.lang.waits import Wait
 from motionlang.kernel.mint.check import unsimulated
 from motionlang.kernel.mint.check.access import check_count, check_path, not_a_command, refuse
-from motionlang.kernel.mint.check.values import NOTHING, Value
 from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, STRING, Type
 from motionlang.kernel.mint.runtime import binding
 from motionlang.kernel.mint.steps import expressions, terminal, waiting, words
 from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import NOTHING, Value
 from motionlang.kernel.mint.syntax import nodes
 
 # The number in `Uses` of the memory that a host reads, for which no variable is so far from 0.

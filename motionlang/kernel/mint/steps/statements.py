@@ -8,11 +8,11 @@ from math import prod
 from motionlang.kernel.lang.steps import DO, END, NOTE, NOW, STOP, TURN, Values
 from motionlang.kernel.lang.variable_uses import Copy
 from motionlang.kernel.mint.check.unknown_words import task_named, unknown_command, unknown_name
-from motionlang.kernel.mint.check.values import NOTHING, Get, article
 from motionlang.kernel.mint.resolve.symbols import INTEGER, RECORD, SEMAPHORE, Symbol, Type
 from motionlang.kernel.mint.steps import blocks, calls, expressions, keywords, terminal, waiting
 from motionlang.kernel.mint.steps.places import copied
 from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import NOTHING, Get, article
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import is_stop, meant
 

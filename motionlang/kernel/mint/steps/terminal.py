@@ -12,12 +12,12 @@ from typing import Any
 from motionlang.kernel.errors import Rejected
 from motionlang.kernel.lang.steps import DO, NOW, Values
 from motionlang.kernel.mint.check.unknown_words import hint_at_type
-from motionlang.kernel.mint.check.values import NOTHING, Get, Value, article
 from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING, Type
 from motionlang.kernel.mint.runtime import binding
 from motionlang.kernel.mint.runtime.printing import show_integer
 from motionlang.kernel.mint.steps import expressions, words
 from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import NOTHING, Get, Value, article
 from motionlang.kernel.mint.syntax import nodes
 
 # Wider than any terminal: a wild width is an error, not a request for a gigabyte of blanks.

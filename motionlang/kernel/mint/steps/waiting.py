@@ -10,13 +10,13 @@ from motionlang.kernel.lang.machine.machine import CONSOLE
 from motionlang.kernel.lang.steps import BRANCH, DO, JUMP, NOW, TRY, TURN, WAIT, Values
 from motionlang.kernel.lang.waits import Delay, Wait, next_tick
 from motionlang.kernel.mint.check.unknown_words import unknown_name
-from motionlang.kernel.mint.check.values import Get, Value
 from motionlang.kernel.mint.resolve.symbols import FLOAT, STRING
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.functions import leading_number
 from motionlang.kernel.mint.runtime.task import until_free
 from motionlang.kernel.mint.steps import expressions, keywords, terminal
 from motionlang.kernel.mint.steps.unit import UnitWriter
+from motionlang.kernel.mint.steps.values import Get, Value
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import meant
 from motionlang.kernel.mint.syntax.unparse import shown

@@ -15,7 +15,13 @@ from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.check import unsimulated
 from motionlang.kernel.mint.check.access import can_be_read, many
 from motionlang.kernel.mint.check.unknown_words import task_named
-from motionlang.kernel.mint.check.values import (
+from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
+from motionlang.kernel.mint.resolve.folding import constant
+from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING
+from motionlang.kernel.mint.runtime import binding, functions
+from motionlang.kernel.mint.runtime.task import PARENT
+from motionlang.kernel.mint.steps import expressions
+from motionlang.kernel.mint.steps.values import (
     NOTHING,
     Get,
     Value,
@@ -27,12 +33,6 @@ from motionlang.kernel.mint.check.values import (
     type_of,
     typed,
 )
-from motionlang.kernel.mint.keywords.no_effect import VERB as STORED
-from motionlang.kernel.mint.resolve.folding import constant
-from motionlang.kernel.mint.resolve.symbols import FLOAT, INTEGER, NUMERIC, STRING
-from motionlang.kernel.mint.runtime import binding, functions
-from motionlang.kernel.mint.runtime.task import PARENT
-from motionlang.kernel.mint.steps import expressions
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.tools import named
 
