@@ -24,7 +24,7 @@ from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
 from motionlang.kernel.mint.resolve.problems import Problems
-from motionlang.kernel.mint.resolve.short_ramps import warn_of_short_ramps
+from motionlang.kernel.mint.resolve.short_ramps import short_ramps
 from motionlang.kernel.mint.resolve.statements import FactsReader
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
@@ -141,10 +141,7 @@ class MintProgram(Program):
     def checked(self) -> CheckedModule:
         """The names and the problems of the readable lines."""
         with StackSpace():
-            found = examined(self._declared, self.settings)
-            if not self._readable.errors and not found.problems.has_errors:
-                warn_of_short_ramps(self._facts.statements.values(), found.problems)
-            return found
+            return examined(self._declared, self.settings)
 
     @cached_property
     def mistakes(self) -> list[Diagnostic]:
@@ -260,7 +257,8 @@ class MintProgram(Program):
 
     @cached_property
     def _facts(self) -> FactsReader:
-        return FactsReader(self.source, self._declared)
+        with StackSpace():
+            return FactsReader(self.source, self._declared)
 
     @cached_property
     def structure(self) -> Structure:
@@ -271,10 +269,14 @@ class MintProgram(Program):
         steps, variables = self._written
         return structure(self._facts, steps, self.graph, variables)
 
-    @property
+    @cached_property
     def warnings(self) -> list[Diagnostic]:
-        """Warnings about keywords that are not simulated and may end the run early."""
-        return self.checked.problems.of_the_run()
+        """Warnings about keywords that may end the run early, names that may be misspelt, and short ramps."""
+        ramps = Problems(self._readable)
+        for message, at, hint in () if self.mistakes else short_ramps(self._facts.statements.values()):
+            ramps.add("short-ramp", message, at, hint, "warning")
+        found = [*self.checked.problems.of_the_run(), *ramps.found.values()]
+        return sorted(found, key=lambda each: (each.line, each.column))
 
     @cached_property
     def remarks(self) -> Sequence[str]:

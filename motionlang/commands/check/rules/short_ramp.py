@@ -5,14 +5,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
+from motionlang.kernel.mint.resolve.short_ramps import short_ramps
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
+    from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
 
 # One trajectory update, s, and the ramp that a hint suggests instead.
 _UPDATE = 1e-3
 _USUAL = 0.2
+
+
+def check_mint(facts: MintFacts, warn: Warn) -> None:
+    for message, at, hint in short_ramps(facts.structure.statements.values()):
+        warn(message, at, hint)
 
 
 def check_mccl(facts: MacroFacts, warn: Warn) -> None:
@@ -41,7 +48,7 @@ reaches the greatest SV of its axis within a millisecond.
 """,
     fix="write the time in milliseconds, or the rate in user units/s²",
     mint=RuleCase(
-        None,
+        check_mint,
         wrong="SPEED(0) = 50\nACCELTIME(0) = 0.2\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
         right="SPEED(0) = 50\nACCELTIME(0) = 200\nMOVER(0) = 5 : GO(0)\nPAUSE IDLE(0)\n",
     ),

@@ -122,8 +122,7 @@ class Problems:
 
     def of_the_run(self) -> list[Diagnostic]:
         """Return the warnings that a run reports before it starts."""
-        found = [each for key, each in self.found.items() if key in self.in_run]
-        return sorted(found, key=lambda each: (each.line, each.column))
+        return [each for key, each in self.found.items() if key in self.in_run]
 
     def is_pattern(self, node: Number) -> bool:
         """True if a number is written in hexadecimal or binary, and not in place of one that is."""

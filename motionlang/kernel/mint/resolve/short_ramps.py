@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.structure import AxisKey, Statement
-from motionlang.kernel.mint.resolve.problems import Problems
 
 # One trajectory update, s: the profile is computed each millisecond.
 UPDATE = 1e-3
@@ -15,48 +14,33 @@ RATES = ("accel", "decel")
 USUAL = 0.2
 
 
-def warn_of_short_ramps(statements: Collection[Statement], problems: Problems) -> None:
-    """Warn of each literal ramp time, and of each rate that reaches SPEED, within one trajectory update."""
+def short_ramps(statements: Iterable[Statement]) -> Iterator[tuple[str, int, str]]:
+    """Yield message, offset and hint for each literal ramp time, and rate that reaches SPEED, within one update.
+
+    A rate is compared with the highest SPEED of its axis.
+    """
     written = list(_settings(statements))
     speeds: dict[AxisKey, float | None] = {}  # the highest one; None if one of them is not known
     for row, axis, value, _ in written:
         if row.gives == "speed":
             before = speeds.get(axis, 0.0)
             speeds[axis] = None if value is None or before is None else max(value, before)
+    reported: set[int] = set()
     for row, axis, value, at in written:
-        if row.gives not in RATES or not value or value < 0.0:
+        speed = speeds.get(axis)
+        if at in reported or row.gives not in RATES or not value or value < 0.0:
             continue
         if row.unit == "ms":
-            _report(
-                problems,
-                at,
-                f"a ramp of {value:.10g} ms",
-                f"{row.name} is in milliseconds",
-                value,
-                value / 1e3,
-            )
+            ramp, seconds = f"a ramp of {value:.10g} ms", value / 1e3
+            hint = f"{row.name} is in milliseconds: did you mean {value * 1e3:.10g}?"
+        elif speed:
+            ramp, seconds = f"a ramp of {speed / value * 1e3:.3g} ms to SPEED {speed:.10g}", speed / value
+            hint = f"for a ramp of {USUAL * 1e3:.10g} ms write {speed / USUAL:.10g}"
+        else:
             continue
-        speed = speeds.get(axis)
-        if speed is None or speed / value >= UPDATE:
-            continue
-        hint = f"for a ramp of {USUAL * 1e3:.10g} ms write {speed / USUAL:.10g}"
-        _report(
-            problems,
-            at,
-            f"a ramp of {speed / value * 1e3:.3g} ms to SPEED {speed:.10g}",
-            hint,
-            0.0,
-            speed / value,
-        )
-
-
-def _report(problems: Problems, at: int, ramp: str, hint: str, given: float, seconds: float) -> None:
-    if not 0.0 < seconds < UPDATE:
-        return
-    meant = f": did you mean {given * 1e3:.10g}?" if given else ""
-    message = f"{ramp} is shorter than one trajectory update, {UPDATE * 1e3:.10g} ms"
-    problems.add("short-ramp", message, at, f"{hint}{meant}", "warning")
-    problems.in_run.add(("short-ramp", at))
+        if 0.0 < seconds < UPDATE:
+            reported.add(at)
+            yield f"{ramp} is shorter than one trajectory update, {UPDATE * 1e3:.10g} ms", at, hint
 
 
 def _settings(statements: Iterable[Statement]) -> Iterator[tuple[Keyword, AxisKey, float | None, int]]:
