@@ -251,7 +251,7 @@ class Simulated(OutputOptions, Prepared):
         _note_remembered(result)
         if result.status == "until":
             if self.format in ("none", "csv"):
-                sys.stderr.writelines(f"note: {printable(each)}\n" for each in result.idle)
+                sys.stderr.writelines(f"note: {printable(each)}\n" for each in result.wait_notes)
             _note_axes_in_motion(result)
             if self._is_endless(result.machine.settings) and result.time >= ONE_SHIFT:
                 sys.stderr.write(

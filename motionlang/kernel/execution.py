@@ -191,7 +191,7 @@ def _finish(result: Run, settings: Mapping[str, object]) -> None:
     result.machine.close_terminals()
     result.time = result.machine.clock.now
     if result.program is not None and result.machine.log.moves:
-        result.notes += result.program.remarks
+        result.notes += result.program.notes
     report_stop(result)
     if settings:
         report_guesses(result)

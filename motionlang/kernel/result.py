@@ -36,9 +36,9 @@ class Run:
         self.status: str = "ended"
         self.time: float = 0.0
         self.diagnostics: list[Diagnostic] = []
-        # Remarks for the report; those on tasks that only wait at the time limit are in `idle`, too.
+        # Notes for the report; those on tasks that only wait at the time limit are in `wait_notes`, too.
         self.notes: list[str] = []
-        self.idle: list[str] = []
+        self.wait_notes: list[str] = []
         # True if the run ended since the machine file had nothing more for a wait that it had ended before.
         self.has_run_out = False
         # The quantities that a caller has asked for, by name.

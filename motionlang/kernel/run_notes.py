@@ -120,19 +120,19 @@ def report_futile_waits(result: Run, scheduler: Scheduler) -> None:
         _report_endless_homing(result, scheduler)
         return
     if result.has_run_out:
-        result.idle.append("the machine file has nothing more for what the program waits for")
+        result.wait_notes.append("the machine file has nothing more for what the program waits for")
     is_over = scheduler.is_over()
     for task in scheduler.tasks:
         if task.wait is not None and task.wait.due() == inf:
             line = _line_of(result, task)
             since = f"since {task.wait.since:.3f} s"
             _log_wait(result, task.at, task.wait.why)
-            result.idle.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
+            result.wait_notes.append(f"line {line}: {task.name} still waited {task.wait.why}, {since}")
         elif is_over and task.polls_in_vain and task.polled:
             line = _line_of(result, task)
             polled = f"line {line}: {task.name} still polled {task.polled}, which could no longer change"
-            result.idle.append(polled)
-    result.notes += result.idle
+            result.wait_notes.append(polled)
+    result.notes += result.wait_notes
 
 
 def _log_wait(result: Run, at: int, why: str) -> None:

@@ -314,7 +314,7 @@ def _checked(options: Check, file: str) -> tuple[CheckedFile, Program | None]:
         settings["controller.model"] = options.model
     program = language.program(source, settings)
     found = one_sentence(language, source, check_program(program))
-    checked = CheckedFile(language.name, source, found, notes=program.remarks)
+    checked = CheckedFile(language.name, source, found, notes=program.notes)
     if options.literals:
         checked.literals = program.literals
     if options.evidence:

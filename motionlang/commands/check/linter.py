@@ -20,7 +20,7 @@ _FACTS = {
 def lint(program: Program) -> list[Diagnostic]:
     """Return all errors of a program and, if it has none, all warnings, without those that a comment silences."""
     with StackSpace():
-        found = list(program.problems)
+        found = list(program.diagnostics)
         if not program.errors:
             reported = {(each.code, each.line, each.column) for each in found}
             found += (

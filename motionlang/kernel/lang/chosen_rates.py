@@ -16,7 +16,7 @@ def unset(rows: Iterable[Keyword], uses: Iterable[Use], rates: Sequence[str]) ->
     return sorted(found, key=lambda row: rates.index(row.gives))
 
 
-def remark(
+def note(
     rows: Sequence[Keyword], figures: Iterable[str], assumptions: Iterable[str], settled: str
 ) -> list[str]:
     """Return the line about rates that are never set, and what settles them; no line if there are none."""

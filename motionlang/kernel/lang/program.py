@@ -36,7 +36,7 @@ class Program:
     A program made of another one by `on`, `with_values` or `for_values` shares its text, which is not read again. The
     `values` of a program are in place of its own numbers and texts, by name or address.
 
-    Any text has its `errors`, `problems`, `names`, `layout` and `literals`. `tree`, `target` and `blocks`
+    Any text has its `errors`, `diagnostics`, `names`, `layout` and `literals`. `tree`, `target` and `blocks`
     raise ProgramError for a text with syntax errors; `graph`, `structure` and `start` for a program with any error.
     """
 
@@ -58,7 +58,7 @@ class Program:
         raise NotImplementedError
 
     @property
-    def problems(self) -> Sequence[Diagnostic]:
+    def diagnostics(self) -> Sequence[Diagnostic]:
         """The errors, and the warnings that come with them or that need no linter."""
         raise NotImplementedError
 
@@ -143,7 +143,7 @@ class Program:
         return ()
 
     @property
-    def remarks(self) -> Sequence[str]:
+    def notes(self) -> Sequence[str]:
         """Chosen defaults that the motion depends on, a line each; none if the text has syntax errors."""
         return ()
 

@@ -53,12 +53,12 @@ class MintInteractive(Interactive):
         """
         module = read(source)
         if module.errors:
-            raise ProgramError(with_syntax_errors(self._mistakes(module), module, set()))
+            raise ProgramError(with_syntax_errors(self._errors(module), module, set()))
         override_if_there(module, self.machine.overrides)
         return self._task_of(module, source, of_program=False)
 
-    def _mistakes(self, module: Module) -> list[Diagnostic]:
-        """Return the mistakes of a module, whose names are not known in later lines."""
+    def _errors(self, module: Module) -> list[Diagnostic]:
+        """Return the errors of a module, whose names are not known in later lines."""
         session = PromptSymbols()
         session.scope.names, session.types = dict(self._session.scope.names), self._session.types
         try:
@@ -94,10 +94,10 @@ class MintInteractive(Interactive):
     def _task_of(self, module: Module, source: Source, of_program: bool) -> Task:
         self._drop_ended()
         environment = self.environment
-        checked = check_line(module, self.machine.settings, self._session, of_program)
-        writer = ProgramWriter(checked.names, environment, lambda offset: source.location(offset)[0], {})
+        names = check_line(module, self.machine.settings, self._session, of_program)
+        writer = ProgramWriter(names, environment, lambda offset: source.location(offset)[0], {})
         environment.take(writer)
-        task = MintTask(PARENT, writer.unit(checked.names.main), environment)
+        task = MintTask(PARENT, writer.unit(names.main), environment)
         task.timer = environment.timer  # TIME continues from one line to the next
         environment.by_name[PARENT] = environment.task = task
         self._passing.append(task)

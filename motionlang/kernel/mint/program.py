@@ -21,15 +21,15 @@ from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.models import MINTMT, V4, age
 from motionlang.kernel.mint.resolve import literals
 from motionlang.kernel.mint.resolve.chosen_rates import chosen_rates
+from motionlang.kernel.mint.resolve.diagnostics import Diagnostics
 from motionlang.kernel.mint.resolve.names import Symbols
 from motionlang.kernel.mint.resolve.overrides import override, override_literals
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.short_ramps import short_ramps
 from motionlang.kernel.mint.resolve.statements import FactsReader
 from motionlang.kernel.mint.resolve.symbols import Function
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.runtime.task import PARENT, MintTask
-from motionlang.kernel.mint.steps.check import CheckedModule, declared, examined
+from motionlang.kernel.mint.steps.check import declared, examined
 from motionlang.kernel.mint.steps.inspection import Inspection
 from motionlang.kernel.mint.steps.places import Places
 from motionlang.kernel.mint.steps.program import ProgramWriter, stops
@@ -138,20 +138,19 @@ class MintProgram(Program):
             return declared(self._readable, self.settings)
 
     @cached_property
-    def checked(self) -> CheckedModule:
-        """The names and the problems of the readable lines."""
+    def checked(self) -> Symbols:
+        """The names of the readable lines, with the diagnostics of the check."""
         with StackSpace():
             return examined(self._declared, self.settings)
 
     @cached_property
-    def mistakes(self) -> list[Diagnostic]:
-        """All errors, with the warnings of the check beside them; empty if there is no error."""
-        problems = self.checked.problems
-        found = list(problems.found.values()) if problems.has_errors else []
-        names = {name for function in self.checked.names.functions for name in function.scope.names}
-        mistakes = with_syntax_errors(found, self._readable, names)
-        self.worded(mistakes)
-        return mistakes
+    def _found(self) -> Sequence[Diagnostic]:
+        """The syntax errors, and the errors and warnings of the check."""
+        checked = self.checked.diagnostics
+        is_known = checked.has_errors or not self._readable.errors
+        names = {name for function in self.checked.functions for name in function.scope.names}
+        found = with_syntax_errors(checked.found.values() if is_known else (), self._readable, names)
+        return self.worded(found)
 
     def in_notation(self, text: str) -> str:
         """Return a hint, worded for MintMT, as Mint v4 writes it: `GO.0` and `VECTORA[0, 1]`.
@@ -172,31 +171,30 @@ class MintProgram(Program):
     @cached_property
     def _is_v4(self) -> bool:
         model = age(str(self.settings.get("controller.model", "")))
-        return self.checked.problems.is_v4 if model is None else model == V4
+        return self.checked.diagnostics.is_v4 if model is None else model == V4
 
     @property
     def errors(self) -> list[Diagnostic]:
-        found = [each for each in self.mistakes if each.severity == "error"]
+        found = [each for each in self._found if each.severity == "error"]
         return sorted(found, key=lambda each: (each.line, each.column, each.code, each.message))
 
     @property
-    def problems(self) -> list[Diagnostic]:
-        found = self.mistakes or list(self.checked.problems.found.values())
-        return [*found, *self.notes_on_model]
+    def diagnostics(self) -> list[Diagnostic]:
+        return [*self._found, *self._of_model]
 
     @cached_property
-    def notes_on_model(self) -> list[Diagnostic]:
+    def _of_model(self) -> list[Diagnostic]:
         """Notation and keywords that the configured controller model does not accept."""
         model = str(self.settings.get("controller.model", ""))
         if self._readable.errors or not model:
             return []
-        problems = Problems(self.tree)
-        check_model(self._bound, self.source, model, problems.add)
-        return list(problems.found.values())
+        diagnostics = Diagnostics(self.tree)
+        check_model(self._bound, self.source, model, diagnostics.add)
+        return list(diagnostics.found.values())
 
     def require(self) -> None:
-        if self.mistakes:
-            raise ProgramError(self.mistakes)
+        if self.errors:
+            raise ProgramError(self._found)
 
     # ---------------------------------------------------------------------------------------- what it says
 
@@ -247,13 +245,13 @@ class MintProgram(Program):
         from motionlang.kernel.mint.steps.structure import written
 
         self.require()
-        return written(self.source, self.checked.names, self.settings)
+        return written(self.source, self.checked, self.settings)
 
     @cached_property
     def graph(self) -> StepGraph:
         from motionlang.kernel.mint.steps.structure import graph_of
 
-        return graph_of(self.checked.names, self._written[0])
+        return graph_of(self.checked, self._written[0])
 
     @cached_property
     def _facts(self) -> FactsReader:
@@ -272,20 +270,20 @@ class MintProgram(Program):
     @cached_property
     def warnings(self) -> list[Diagnostic]:
         """Warnings about keywords that may end the run early, names that may be misspelt, and short ramps."""
-        ramps = Problems(self._readable)
-        for message, at, hint in () if self.mistakes else short_ramps(self._facts.statements.values()):
+        ramps = Diagnostics(self._readable)
+        for message, at, hint in () if self.errors else short_ramps(self._facts.statements.values()):
             ramps.add("short-ramp", message, at, hint, "warning")
-        found = [*self.checked.problems.of_the_run(), *ramps.found.values()]
+        found = [*self.checked.diagnostics.of_the_run(), *ramps.found.values()]
         return sorted(found, key=lambda each: (each.line, each.column))
 
     @cached_property
-    def remarks(self) -> Sequence[str]:
-        found = [] if self.mistakes else chosen_rates(self._facts.statements.values(), self.settings)
+    def notes(self) -> Sequence[str]:
+        found = [] if self.errors else chosen_rates(self._facts.statements.values(), self.settings)
         return [self.in_notation(each) for each in found]
 
     @property
     def offsets(self) -> Sequence[int]:
-        return stops(self.checked.names) if self.is_debug else ()
+        return stops(self.checked) if self.is_debug else ()
 
     # --------------------------------------------------------------------------------------------- its run
 
@@ -367,12 +365,12 @@ class MintProgram(Program):
             name: number(name, value) if name in self.places.literals.values() else value
             for name, value in (values or {}).items()
         }
-        writer = ProgramWriter(self.checked.names, environment, line_of, given, self.is_debug)
+        writer = ProgramWriter(self.checked, environment, line_of, given, self.is_debug)
         environment.take(writer)
         if self.is_debug:
             assert machine.hook is not None, "a debug build needs a machine with a hook"
-            machine.hook.inspection = Inspection(environment, self.checked.names)
-        task = MintTask(PARENT, writer.unit(self.checked.names.main), environment)
+            machine.hook.inspection = Inspection(environment, self.checked)
+        task = MintTask(PARENT, writer.unit(self.checked.main), environment)
         task.timer = environment.timer
         environment.by_name[PARENT] = environment.task = task
         return task
@@ -395,4 +393,4 @@ def port_differences(before: Program, program: Program) -> list[Diagnostic]:
         return []
     from motionlang.kernel.mint.check import port
 
-    return port.port_differences(program.tree, program.checked.names, graph)
+    return port.port_differences(program.tree, program.checked, graph)

@@ -189,7 +189,7 @@ def standstill(result: Run) -> str:
     if cycle is None or result.status not in ("until", "fault") or not log.moves:
         return ""
     last = max(each.start_time for each in log.moves)
-    waits = [text for text in result.idle if text.startswith("line ")]
+    waits = [text for text in result.wait_notes if text.startswith("line ")]
     if 2.0 * last >= result.time or not waits:
         return ""
     line = waits[0].partition(":")[0]

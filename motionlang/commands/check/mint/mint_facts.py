@@ -29,7 +29,7 @@ class MintFacts(Facts):
     one_limit_arms_both = True
 
     def __init__(self, program: MintProgram) -> None:
-        self.module, self.names = program.tree, program.checked.names
+        self.module, self.names = program.tree, program.checked
         self.functions = self.names.functions
         # The nodes of each function by their classes.
         self.nodes = {function: by_kind(function.body) for function in self.functions}

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.mint.conditions import COMPARISONS, tested
-from motionlang.kernel.mint.resolve.problems import bracketed
+from motionlang.kernel.mint.resolve.diagnostics import bracketed
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.traversal import changed, meaning, walk
 from motionlang.kernel.tools import Spellings, nearest

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
 from motionlang.kernel.mccl import NUMBER, line_of
 from motionlang.kernel.mccl.keywords.row import takes_number
-from motionlang.kernel.mccl.resolve.decode import problem
+from motionlang.kernel.mccl.resolve.decode import fault_of
 from motionlang.kernel.mccl.resolve.errors import axis_behind
 from motionlang.kernel.mint.syntax import nodes
 
@@ -52,7 +52,7 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
 
 def _are_commands(text: str) -> bool:
     line = line_of(text.strip())
-    return line is not None and not any(problem(each) for each in line.commands)
+    return line is not None and not any(fault_of(each) for each in line.commands)
 
 
 RULE = Rule(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from motionlang.kernel.lang.chosen_rates import remark, unset
+from motionlang.kernel.lang.chosen_rates import note, unset
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.lang.structure import AxisKey, Use
 from motionlang.kernel.mccl.keywords import trajectory
@@ -28,7 +28,7 @@ def chosen_rates(uses: Sequence[tuple[int, Use]], settings: Mapping[str, object]
     axes = _moved(uses)
     chosen = unset(rows, (use for _, use in uses), RATES) if axes else []
     figures = [_default(row, axis, settings, model) for row in chosen for axis in sorted(axes, key=str)]
-    return remark(chosen, figures, [POWER_UP], ",".join(f"1{row.name}…" for row in chosen))
+    return note(chosen, figures, [POWER_UP], ",".join(f"1{row.name}…" for row in chosen))
 
 
 def _default(row: Keyword, axis: AxisKey, settings: Mapping[str, object], model: Model) -> str:

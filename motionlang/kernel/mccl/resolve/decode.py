@@ -23,7 +23,7 @@ _DIGITS = "0123456789"
 _MAX_NUMBER = 1e15
 
 
-def problem(command: Command) -> Fault | None:
+def fault_of(command: Command) -> Fault | None:
     """Return the fault of a command that is invalid in any program, or None."""
     fault = getattr(command.action, "fault", None)
     return fault if isinstance(fault, Fault) else None

@@ -15,7 +15,7 @@ from motionlang.kernel.mccl.keywords import table
 from motionlang.kernel.mccl.keywords.row import takes_number
 from motionlang.kernel.mccl.models import DEFAULT, MODELS, Model, missing, named, no_macro_number, written_for
 from motionlang.kernel.mccl.resolve.command import REGISTER, Command
-from motionlang.kernel.mccl.resolve.decode import problem
+from motionlang.kernel.mccl.resolve.decode import fault_of
 from motionlang.kernel.mccl.resolve.line import Line, locate
 from motionlang.kernel.mccl.syntax.parser import mistake
 from motionlang.kernel.source import Source
@@ -31,7 +31,7 @@ _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)")
 _ASSIGNED = re.compile(rf"([A-Za-z]{{2}})(\d+)[ \t]*=[ \t]*({_NUMBER.pattern})")
 
 
-def problems_of(
+def diagnostics_of(
     source: Source, lines: Sequence[Line | tuple[Fault, int, int]], settings: Mapping[str, object]
 ) -> Iterator[Diagnostic]:
     """Yield the errors of the lines of a file, and a warning for each other command without effect."""
@@ -44,7 +44,7 @@ def problems_of(
             yield diagnostic(source, at, fault)
             continue
         for k, command in enumerate(line.commands):
-            wrong = _unknown_to(model, command) or problem(command) or _no_axis(command, axes)
+            wrong = _unknown_to(model, command) or fault_of(command) or _no_axis(command, axes)
             wrong = _apart(line, k, wrong, axes) or wrong or _wrong_here(line, k, command, model, flow)
             idle = _not_simulated(command) or _undefined(line, k, macros)
             if wrong is not None:

@@ -93,15 +93,15 @@ class MacroFile(Program):
         return self._text.module
 
     @cached_property
-    def problems(self) -> list[Diagnostic]:
-        from motionlang.kernel.mccl.resolve.errors import problems_of
+    def diagnostics(self) -> list[Diagnostic]:
+        from motionlang.kernel.mccl.resolve.errors import diagnostics_of
 
-        found = problems_of(self.source, self.lines, self.settings)
+        found = diagnostics_of(self.source, self.lines, self.settings)
         return sorted(found, key=lambda each: (each.line, each.column))
 
     @property
     def errors(self) -> list[Diagnostic]:
-        return [each for each in self.problems if each.severity == "error"]
+        return [each for each in self.diagnostics if each.severity == "error"]
 
     def require(self) -> None:
         """Raise ProgramError for wrong addresses of values; the board answers wrong commands."""
@@ -134,7 +134,7 @@ class MacroFile(Program):
         return structure(self.source, self.whole, self.settings)
 
     @cached_property
-    def remarks(self) -> list[str]:
+    def notes(self) -> list[str]:
         from motionlang.kernel.mccl.resolve.chosen_rates import chosen_rates
         from motionlang.kernel.mccl.resolve.errors import model_of
         from motionlang.kernel.mccl.runtime.structure import use_of
@@ -217,7 +217,7 @@ class FileTask(CommandTask):
         left = board.background
         if self._nothing_left():
             board.ended(self)
-            board.machine.notes.update((remark_on(self._source, task), None) for task in left.values())
+            board.machine.notes.update((note_on(self._source, task), None) for task in left.values())
             return None
         names = ", ".join(str(number) for number in left)
         return Wait(
@@ -250,8 +250,8 @@ def _only_watches(task: CommandTask) -> bool:
     return task.is_endless or (wait is not None and wait.cause == "input" and wait.due() == INFINITY)
 
 
-def remark_on(source: Source, task: CommandTask) -> str:
-    """Return a remark on a background task that still polls after the foreground ends."""
+def note_on(source: Source, task: CommandTask) -> str:
+    """Return a note on a background task that still polls after the foreground ends."""
     line, _, _ = locate(source, task.at)
     if task.is_endless:
         doing, since = (

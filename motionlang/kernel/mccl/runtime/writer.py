@@ -19,7 +19,7 @@ from motionlang.kernel.lang.steps import COMMAND, GO, RETURN, WAIT, Steps, Value
 from motionlang.kernel.mccl.models import missing
 from motionlang.kernel.mccl.motion.path import DESCRIBES
 from motionlang.kernel.mccl.resolve.command import Command
-from motionlang.kernel.mccl.resolve.decode import problem
+from motionlang.kernel.mccl.resolve.decode import fault_of
 from motionlang.kernel.mccl.runtime.register_uses import uses_of
 from motionlang.kernel.tools import named
 
@@ -68,7 +68,7 @@ class LineWriter:
         for self.index, (self.command, self._at) in enumerate(zip(line.commands, line.offsets, strict=True)):
             self.steps.starts.append(len(self.steps))
             self.steps.add(COMMAND, self._begin(), at=self._at)
-            if hasattr(self.command.action, "written") and problem(self.command) is None:
+            if hasattr(self.command.action, "written") and fault_of(self.command) is None:
                 self.command.action(self, self.command)
             else:
                 self.act(WAIT, self.command.action)

@@ -17,13 +17,13 @@ def can_be_read(w: UnitWriter, node: nodes.Name, row: Keyword) -> bool:
     if "R" in row.access:
         return True
     what = "is a command and has no value" if row.access == "C" else "can be written but not read"
-    w.problem("write-only", f"{row.word} {what}", node)
+    w.error("write-only", f"{row.word} {what}", node)
     return False
 
 
 def refuse(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword takes no value."""
-    w.problem("read-only", f"{row.word} {_why_not(row)}", target, _instead(row, target.name))
+    w.error("read-only", f"{row.word} {_why_not(row)}", target, _instead(row, target.name))
 
 
 def _why_not(row: Keyword) -> str:
@@ -50,12 +50,12 @@ def not_a_command(w: UnitWriter, target: nodes.Name, row: Keyword) -> None:
     """Report that a keyword is not a statement."""
     shown = row.word if target.args is None else f"{row.word}(…)"
     if row.kind == "statement":
-        w.problem("syntax", f"{row.word} cannot be used here", target, as_hint(row.help))
+        w.error("syntax", f"{row.word} cannot be used here", target, as_hint(row.help))
     elif "W" in row.access:
-        w.problem("not-a-command", f"{row.word} needs a value", target, _with_value(target, row, shown))
+        w.error("not-a-command", f"{row.word} needs a value", target, _with_value(target, row, shown))
     else:
         message = f"{row.word} is a value, not a statement"
-        w.problem("not-a-command", message, target, f"print it with PRINT {shown}")
+        w.error("not-a-command", message, target, f"print it with PRINT {shown}")
 
 
 def _with_value(target: nodes.Name, row: Keyword, shown: str) -> str:
@@ -82,7 +82,7 @@ def check_count(w: UnitWriter, node: nodes.Assign, row: Keyword, indices: int) -
     elif row.index in ("axis", "axes"):
         axes = ", ".join(map(str, range(given)))
         hint = f"name an axis for each value: {row.word}({axes}) = …"
-    w.problem(
+    w.error(
         "values", f"{row.word} needs {many(wanted, 'value')} here, {many(given, 'value')} given", node, hint
     )
 
@@ -97,11 +97,11 @@ def check_path(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keywo
     wanted = units.count("uu") if len(units) > 1 else 0
     if (wanted and axes != wanted) or axes < 2:
         needed = f"{wanted} axes" if wanted else "2 axes or more"
-        w.problem("values", f"{row.word} needs {needed} in brackets, {axes} given", target, form)
+        w.error("values", f"{row.word} needs {needed} in brackets, {axes} given", target, form)
         return
     count, given = len(units) if wanted else axes, len(node.values)
     if given != count:
-        w.problem("values", f"{row.word} needs {count} values here, {given} given", node, form)
+        w.error("values", f"{row.word} needs {count} values here, {given} given", node, form)
 
 
 def many(count: int, what: str) -> str:

@@ -18,14 +18,14 @@ def check_subscript(w: UnitWriter, node: nodes.Node, value: float, size: int) ->
     """Report a subscript outside 1 … size, if the size is known."""
     if size and not 1 <= value <= size:
         hint = "the first element of an array has the subscript 1"
-        w.problem("index", f"there is no element {value}: the subscript must be 1 to {size}", node, hint)
+        w.error("index", f"there is no element {value}: the subscript must be 1 to {size}", node, hint)
 
 
 def check_step(w: UnitWriter, node: nodes.For, symbol: Symbol, by: float | str | None) -> None:
     """Report a For that never ends, since its step is 0, or is only known when the program starts."""
     may_be_0 = by == 0 or (by is None and node.step is not None and _is_known_at_start(node.step))
     if node.step is not None and may_be_0 and not _may_end(node, symbol):
-        w.problem("range", "a For that counts by 0 never ends", node.step, "leave it with Exit For")
+        w.error("range", "a For that counts by 0 never ends", node.step, "leave it with Exit For")
 
 
 def check_elements(w: UnitWriter, node: nodes.For, symbol: Symbol) -> None:

@@ -67,21 +67,21 @@ def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Se
         and each.code in _OF_A_STATEMENT
         and not _words(source.line(each.line)) & names
     ]
-    mistakes = [_with_other_hint(each, source) for each in module.errors]
-    return ProgramError([*mistakes, *remaining]).diagnostics
+    errors = [_with_other_hint(each, source) for each in module.errors]
+    return ProgramError([*errors, *remaining]).diagnostics
 
 
-def _with_other_hint(mistake: Diagnostic, source: Source) -> Diagnostic:
-    """Return a mistake; one in a statement of another machine gets what is typed here as its hint."""
-    hint = as_typed(source.line(mistake.line), mistake.column - 1) if mistake.hint == SEPARATED else ""
-    found = copy(mistake)
-    found.hint = hint or mistake.hint
+def _with_other_hint(error: Diagnostic, source: Source) -> Diagnostic:
+    """Return an error; one in a statement of another machine gets what is typed here as its hint."""
+    hint = as_typed(source.line(error.line), error.column - 1) if error.hint == SEPARATED else ""
+    found = copy(error)
+    found.hint = hint or error.hint
     return found
 
 
-def _is_of_blocks(mistake: Diagnostic) -> bool:
+def _is_of_blocks(error: Diagnostic) -> bool:
     """True if the beginning or the end of a block is missing, or misspelt."""
-    return mistake.code in ("missing-end", "stray-end") or not _OPENERS.isdisjoint(mistake.candidates)
+    return error.code in ("missing-end", "stray-end") or not _OPENERS.isdisjoint(error.candidates)
 
 
 def _names(line: str) -> set[str]:
@@ -97,5 +97,5 @@ def _words(line: str) -> set[str]:
     return {text.lower() for kind, text in pairs if kind in ("NAME", "DOTTED")}
 
 
-def _marked(mistake: Diagnostic, source: Source) -> str:
-    return source.line(mistake.line)[mistake.column - 1 :][: mistake.length]
+def _marked(error: Diagnostic, source: Source) -> str:
+    return source.line(error.line)[error.column - 1 :][: error.length]

@@ -11,9 +11,9 @@ from collections.abc import Iterable, Iterator
 
 from motionlang.kernel.errors import Diagnostic
 from motionlang.kernel.lang.step_graph import StepGraph
+from motionlang.kernel.mint.resolve.diagnostics import Diagnostics
 from motionlang.kernel.mint.resolve.handlers import handled
 from motionlang.kernel.mint.resolve.names import Symbols
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import FLOAT, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.nodes import Module
@@ -30,14 +30,14 @@ _KEEPS_WHOLE = frozenset(("+", "-", "*", "\\", "mod", "%"))
 
 def port_differences(module: Module, names: Symbols, graph: StepGraph) -> list[Diagnostic]:
     """Return a warning for each difference of a checked program, with its fix if that is certain."""
-    problems = Problems(module)
+    diagnostics = Diagnostics(module)
     everything = list(walk(statement for each in names.functions for statement in each.body))
-    _prints(module, everything, problems)
-    _words(module.source, set(map(id, _of_error_handlers(names, graph))), everything, problems)
-    return sorted(problems.found.values(), key=lambda each: (each.line, each.column))
+    _prints(module, everything, diagnostics)
+    _words(module.source, set(map(id, _of_error_handlers(names, graph))), everything, diagnostics)
+    return sorted(diagnostics.found.values(), key=lambda each: (each.line, each.column))
 
 
-def _prints(module: nodes.Module, everything: Iterable[nodes.Node], problems: Problems) -> None:
+def _prints(module: nodes.Module, everything: Iterable[nodes.Node], diagnostics: Diagnostics) -> None:
     """Report what is printed as a Float without a format."""
     items = [
         item
@@ -63,10 +63,10 @@ def _prints(module: nodes.Module, everything: Iterable[nodes.Node], problems: Pr
         if _is_whole(item.value, whole):
             message = f"MintMT prints {shown} with four decimals, Mint v4 without"
             fix = text[start:end] + _WHOLE
-            problems.add("model", message, start, f"write {shown}{_WHOLE}", "warning", fix, end=end)
+            diagnostics.add("model", message, start, f"write {shown}{_WHOLE}", "warning", fix, end=end)
         else:
             message = f"MintMT prints {shown} with four decimals, Mint v4 with as many as it needs"
-            problems.add("model", message, start, f"choose the decimals: {shown} USING 1, 2", "warning")
+            diagnostics.add("model", message, start, f"choose the decimals: {shown} USING 1, 2", "warning")
 
 
 def _whole_variables(everything: Iterable[nodes.Node]) -> set[Symbol]:
@@ -119,7 +119,7 @@ def _is_whole(node: nodes.Expr, variables: set[Symbol]) -> bool:
 
 
 def _words(
-    source: Source, in_handler: set[int], everything: Iterable[nodes.Node], problems: Problems
+    source: Source, in_handler: set[int], everything: Iterable[nodes.Node], diagnostics: Diagnostics
 ) -> None:
     """Report keywords that have another name in MintMT, or none."""
     for node in everything:
@@ -130,14 +130,14 @@ def _words(
         name, equals, value = row.renamed.partition(" = ")
         if not name:
             hint = as_hint(row.help)
-            problems.add("model", f"{message}; MintMT has none for it", node.start, hint, "warning")
+            diagnostics.add("model", f"{message}; MintMT has none for it", node.start, hint, "warning")
         elif row.index == "none" and id(node) not in in_handler:
             hint = f"{name} has a value only in ONERROR, and after ERRORREADNEXT"
-            problems.add("model", message, node.start, hint, "warning")
+            diagnostics.add("model", message, node.start, hint, "warning")
         else:
             rest = "" if len(node.args or ()) == 1 or not value else ";"
             fix = f"{name}{source.text[node.start + len(node.name) : node.end]}{equals}{value}{rest}"
-            problems.add("model", message, node.start, f"write {fix}", "warning", fix, end=node.end)
+            diagnostics.add("model", message, node.start, f"write {fix}", "warning", fix, end=node.end)
 
 
 def _of_error_handlers(names: Symbols, graph: StepGraph) -> Iterator[nodes.Node]:

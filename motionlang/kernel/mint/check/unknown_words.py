@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from motionlang.kernel.lang.keyword import Keyword
 from motionlang.kernel.mint.check.other_machines import as_typed
-from motionlang.kernel.mint.resolve.problems import bracketed
+from motionlang.kernel.mint.resolve.diagnostics import bracketed
 from motionlang.kernel.mint.resolve.symbols import OTHER_TYPES, TYPES, Symbol
 from motionlang.kernel.mint.syntax import nodes
 from motionlang.kernel.mint.syntax.blocks import OPENERS, closers
@@ -40,17 +40,17 @@ _OTHER_WORDS = {
 MIN_LENGTH = 3
 
 
-def unknown_name(b: UnitWriter, node: nodes.Name) -> None:
+def unknown_name(w: UnitWriter, node: nodes.Name) -> None:
     """Report a word that is no variable: a keyword, or neither declared nor a keyword."""
     if node.row is not None:
         message = f"a variable is needed here, and {node.row.word} is a keyword"
-        b.problem("type", message, node, "" if node.args else another_name(node.name, node.row))
+        w.error("type", message, node, "" if node.args else another_name(node.name, node.row))
         return
     is_constant = node.name.startswith("_")
 
     def words() -> list[str]:
-        symbols = [symbol.name for symbol in b.function.scope.symbols()]
-        rows = [row.name for row in b.program.names.table if row.kind not in ("statement", "command")]
+        symbols = [symbol.name for symbol in w.function.scope.symbols()]
+        rows = [row.name for row in w.program.names.table if row.kind not in ("statement", "command")]
         return [word for word in (*symbols, *rows) if word.startswith("_") or not is_constant]
 
     hint = "a variable must be declared or assigned to before it is read"
@@ -58,8 +58,8 @@ def unknown_name(b: UnitWriter, node: nodes.Name) -> None:
         hint = f"an array needs a Dim, as in Dim {node.name}(10), and a function its Function"
     if is_constant:
         hint = f"if the controller has this constant, declare its value: Const {node.name} As Integer = …"
-    problems, table = b.program.names.problems, b.program.names.table
-    problems.unknown(f"{node.name} is unknown", node.name, words, node.start, hint, table)
+    diagnostics, table = w.program.names.diagnostics, w.program.names.table
+    diagnostics.unknown(f"{node.name} is unknown", node.name, words, node.start, hint, table)
 
 
 def another_name(name: str, row: Keyword) -> str:
@@ -68,33 +68,33 @@ def another_name(name: str, row: Keyword) -> str:
     return f"{short}give the variable another name, such as {name.lower()}_value"
 
 
-def unknown_command(b: UnitWriter, target: nodes.Name) -> None:
+def unknown_command(w: UnitWriter, target: nodes.Name) -> None:
     """Report an unknown word used as a statement.
 
     A word that is only a value is not suggested.
     """
 
     def known() -> list[str]:
-        subs = [symbol.name for symbol in b.function.scope.symbols() if symbol.kind == "sub"]
+        subs = [symbol.name for symbol in w.function.scope.symbols() if symbol.kind == "sub"]
         commands = [
-            row.name for row in b.program.names.table if row.kind == "command" or row.function == "wait"
+            row.name for row in w.program.names.table if row.kind == "command" or row.function == "wait"
         ]
         return [*subs, *commands, *_FIRST_WORDS]
 
-    problems, table = b.program.names.problems, b.program.names.table
+    diagnostics, table = w.program.names.diagnostics, w.program.names.table
     message = f"{target.name} is neither a keyword nor a sub of this program"
-    hint = _OTHER_WORDS.get(target.name.lower()) or as_typed(problems.line_from(target.start), 0) or None
-    behind = problems.text(target.name.end)
+    hint = _OTHER_WORDS.get(target.name.lower()) or as_typed(diagnostics.line_from(target.start), 0) or None
+    behind = diagnostics.text(target.name.end)
     otherwise = label_hint(target.name) if behind == ":" else hint_at_type(target.name) if target.args else ""
-    if behind == ":" and target.name.lower() in b.function.labels:
+    if behind == ":" and target.name.lower() in w.function.labels:
         hint = otherwise
     if hint is None:
-        problems.unknown(message, target.name, known, target.start, otherwise, table)
+        diagnostics.unknown(message, target.name, known, target.start, otherwise, table)
         return
-    following = b.function.scope.find(behind)
+    following = w.function.scope.find(behind)
     if target.name.lower() == "call" and following is not None and following.kind == "sub":
         hint += f": {following.name}"
-    problems.add("unknown-word", message, target.start, hint)
+    diagnostics.add("unknown-word", message, target.start, hint)
 
 
 def label_hint(name: str) -> str:
@@ -106,15 +106,15 @@ def hint_at_type(word: str) -> str:
     return _DIM if word.lower() in TYPES or word.lower() in OTHER_TYPES else ""
 
 
-def task_named(b: UnitWriter, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol | None:
+def task_named(w: UnitWriter, node: nodes.Name | nodes.Run | nodes.End, name: str) -> Symbol | None:
     """Return the task that a node refers to; report an error if there is none."""
     if node.symbol is not None and node.symbol.kind == "task":
         return node.symbol
 
     def tasks() -> list[str]:
-        return [each.name for each in b.program.names.module.symbols() if each.kind == "task"]
+        return [each.name for each in w.program.names.module.symbols() if each.kind == "task"]
 
-    b.program.names.problems.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
+    w.program.names.diagnostics.unknown(f"there is no task {name}".rstrip(), name, tasks, node.start)
     return None
 
 
@@ -125,21 +125,21 @@ def warn_of_misspellings(names: Symbols) -> None:
     without brackets, as in `OUT3 = 1`, is an error.
     """
     words: Spellings | None = None
-    problems, table = names.problems, names.table
+    diagnostics, table = names.diagnostics, names.table
     for symbol in _only_assigned(names):
-        if problems.is_full:
+        if diagnostics.is_full:
             return
         message, meant = f"{symbol.name} is assigned but never read", bracketed(symbol.name, table)
         if meant is not None:
             hint = f"did you mean {meant}? If it is a variable, declare it with Dim"
-            problems.add("unknown-word", message, symbol.at, hint, fix=meant)
+            diagnostics.add("unknown-word", message, symbol.at, hint, fix=meant)
             continue
         words = words or Spellings(r.name for r in table if r.simulated and r.kind != "statement")
         near = words.nearest(symbol.name, 0.75)
         if near is not None:
-            problems.in_run.add(("unused-variable", symbol.at))
+            diagnostics.in_run.add(("unused-variable", symbol.at))
             hint = f"did you mean {near}?"
-            problems.add("unused-variable", message, symbol.at, hint, "warning", candidates=(near,))
+            diagnostics.add("unused-variable", message, symbol.at, hint, "warning", candidates=(near,))
 
 
 def _only_assigned(names: Symbols) -> list[Symbol]:

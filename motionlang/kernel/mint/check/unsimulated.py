@@ -50,9 +50,9 @@ def _is_stored(row: Keyword, by: nodes.Assign | nodes.Call | None) -> bool:
 
 
 def _once(w: UnitWriter, node: nodes.Node, row: Keyword, message: str) -> None:
-    problems = w.program.names.problems
-    if all(message != each.message for each in problems.found.values()):
-        w.problem(CODE, message, node, f"{row.name}: {as_hint(row.help)}", "warning")
+    diagnostics = w.program.names.diagnostics
+    if all(message != each.message for each in diagnostics.found.values()):
+        diagnostics.add(CODE, message, node.start, f"{row.name}: {as_hint(row.help)}", "warning")
 
 
 def _ending(w: UnitWriter, node: nodes.Node, row: Keyword, writes: bool) -> None:
@@ -62,5 +62,6 @@ def _ending(w: UnitWriter, node: nodes.Node, row: Keyword, writes: bool) -> None
     elif not writes:
         end = f"{_ENDS}, unless it was written before or the machine file has it in [mint.values]"
     message = f"{row.word} is a Mint keyword that is not simulated"
-    w.problem(CODE, message, node, f"{row.name}: {as_hint(row.help)}; {end}", "warning")
-    w.program.names.problems.in_run.add((CODE, node.start))
+    diagnostics = w.program.names.diagnostics
+    diagnostics.add(CODE, message, node.start, f"{row.name}: {as_hint(row.help)}; {end}", "warning")
+    diagnostics.in_run.add((CODE, node.start))

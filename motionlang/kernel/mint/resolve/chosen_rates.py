@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from motionlang.kernel.lang.chosen_rates import remark, unset
+from motionlang.kernel.lang.chosen_rates import note, unset
 from motionlang.kernel.lang.machine.switch import ASSUMPTIONS
 from motionlang.kernel.lang.structure import Statement
 from motionlang.kernel.mint.keywords import axis
@@ -32,4 +32,4 @@ def chosen_rates(statements: Iterable[Statement], settings: Mapping[str, object]
         if row.default is not None and f"{ASSUMPTIONS}{name_of(row)}" not in settings
     ]
     figures = [f"{row.default:.10g} counts/s²" for row in chosen]
-    return remark(chosen, figures, map(name_of, chosen), " : ".join(f"{row.name}(0) = …" for row in chosen))
+    return note(chosen, figures, map(name_of, chosen), " : ".join(f"{row.name}(0) = …" for row in chosen))

@@ -32,7 +32,7 @@ Invariants.
   form, a v4 keyword, one that is not simulated, or a string function. Uses of a name that is reported may mean the
   keyword, so no other error is reported at them.
 - A declaration that repeats a name of its scope is reported. Its symbol's `first` is what the name refers to.
-- Mistakes are collected in `problems`. After each of them resolution continues with a usable symbol.
+- Errors are collected in `diagnostics`. After each of them resolution continues with a usable symbol.
 - `shared`: a function other than the one that declares the variable uses it. `uses` counts reads, not assignments.
 - At a prompt the names of the module outlive the line, and a later declaration replaces an earlier one.
 
@@ -56,8 +56,8 @@ from motionlang.kernel.mint.keywords.event_kinds import (
 )
 from motionlang.kernel.mint.keywords.unsimulated import WRITTEN, written
 from motionlang.kernel.mint.models import STRINGS
+from motionlang.kernel.mint.resolve.diagnostics import Diagnostics
 from motionlang.kernel.mint.resolve.folding import Meaning, fold, given
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import (
     FLOAT,
     INTEGER,
@@ -89,8 +89,10 @@ class Symbols:
     If the program is typed line by line, `session` has the names and types from earlier lines.
     """
 
-    def __init__(self, table: Vocabulary, problems: Problems, session: PromptSymbols | None = None) -> None:
-        self.table, self.problems = table, problems
+    def __init__(
+        self, table: Vocabulary, diagnostics: Diagnostics, session: PromptSymbols | None = None
+    ) -> None:
+        self.table, self.diagnostics = table, diagnostics
         self.types: dict[str, Symbol] = {} if session is None else dict(session.types)
         self.functions: list[Function] = []
         self.main = Function("main", "main", [], None if session is None else session.scope)
@@ -117,7 +119,7 @@ class Symbols:
     def declare_module(self, module: nodes.Module) -> None:
         """Declare all names of the module, then bind every use of a name."""
         self._declare_names(module)
-        self.problems.taken = self._taken
+        self.diagnostics.taken = self._taken
         for function in self.functions:
             self._use(function)
         self._count_subscripts()
@@ -158,17 +160,17 @@ class Symbols:
             names = [
                 kind.upper() + ("" if kind in SINGLE else "0") for kind in KINDS if kind not in SOURCELESS
             ]
-            self.problems.unknown(f"there is no event {event.name}", event.name, lambda: names, event.start,
-                                  f"the events are {', '.join(names)}")  # fmt: skip
+            self.diagnostics.unknown(f"there is no event {event.name}", event.name, lambda: names, event.start,
+                                     f"the events are {', '.join(names)}")  # fmt: skip
         elif any(f.kind == "event" and kind_and_number(f.name) == found for f in self.functions[:-1]):
-            self.problems.add("duplicate", f"there is already a handler for {event.name}", event.start)
+            self.diagnostics.add("duplicate", f"there is already a handler for {event.name}", event.start)
         elif found[1] >= 0 and (numbers := NUMBERS.get(found[0])) is not None and found[1] not in numbers:
             word = event.name.rstrip("0123456789")
-            self.problems.add("channel", f"there is no event {event.name}", event.start,
-                              f"they are numbered {word}{numbers[0]} to {word}{numbers[-1]}")  # fmt: skip
+            self.diagnostics.add("channel", f"there is no event {event.name}", event.start,
+                                 f"they are numbered {word}{numbers[0]} to {word}{numbers[-1]}")  # fmt: skip
         elif found[0] in SOURCELESS:
-            self.problems.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.start,
-                              "nothing raises it in the simulated machine", "warning")  # fmt: skip
+            self.diagnostics.add("not-simulated", f"the event {event.name.upper()} never occurs here", event.start,
+                                 "nothing raises it in the simulated machine", "warning")  # fmt: skip
 
     def _declare_task(self, task: nodes.Task) -> None:
         function = self._block("task", task)
@@ -228,11 +230,11 @@ class Symbols:
                 symbol.dimensions = self._dimensions(member, self.module)
             else:
                 message = f"{node.name} already has a member {member.name}"
-                self.problems.add("duplicate", message, member.start)
+                self.diagnostics.add("duplicate", message, member.start)
             member.resolve(symbol)
         key = node.name.lower()
         if (key in self.types and not self.typed) or key in TYPES:
-            self.problems.add("duplicate", f"there is already a type {node.name}", node.start)
+            self.diagnostics.add("duplicate", f"there is already a type {node.name}", node.start)
         symbol = Symbol(node.name, "type", Type(RECORD, record=record), node.start, self.main)
         symbol.first = self.types[key].first if key in self.types else symbol
         self.types[key] = symbol
@@ -251,7 +253,9 @@ class Symbols:
             known = [*TYPES.values(), *self.types]
             word = OTHER_TYPES.get(key, node.name)
             otherwise = f"the types are {', '.join(known)}"
-            self.problems.unknown(f"there is no type {node.name}", word, lambda: known, node.start, otherwise)
+            self.diagnostics.unknown(
+                f"there is no type {node.name}", word, lambda: known, node.start, otherwise
+            )
             return Type(default)
         size = (
             self._whole(node.size, self.module, "the length of a String", 1)
@@ -282,20 +286,20 @@ class Symbols:
         symbol = Symbol(node.name, "label", Type(FLOAT), node.start, function)
         symbol.first = function.labels.setdefault(node.name.lower(), symbol)
         if symbol.first is not symbol:
-            self.problems.add("duplicate", f"there is already a label {node.name}", node.start)
+            self.diagnostics.add("duplicate", f"there is already a label {node.name}", node.start)
         node.resolve(symbol)
 
     def _make_lasting(self, symbol: Symbol, node: nodes.Variable) -> None:
         """Box an nv variable in a list, which is shared with non-volatile memory."""
         if symbol.type.name not in (INTEGER, FLOAT, STRING, RECORD):
-            self.problems.add("type", f"nv data cannot be {symbol.type}", node.start,
-                              hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
+            self.diagnostics.add("type", f"nv data cannot be {symbol.type}", node.start,
+                                 hint="Integer, Float, String and user types can outlive the run")  # fmt: skip
         symbol.boxed = not (symbol.is_array or symbol.type.record)
 
     def _declare_variable(self, function: Function, node: nodes.Variable) -> Symbol:
         if node.type is not None and node.type.name.lower() == "controller":
             hint = "no source documents them"
-            self.problems.add(
+            self.diagnostics.add(
                 "not-simulated", "variables of type Controller are not simulated", node.type.start, hint=hint
             )
         symbol = Symbol(node.name, "variable", self.type_of(node.type, FLOAT), node.start, function)
@@ -319,12 +323,12 @@ class Symbols:
             near = next((found[0] for name in names if (found := self.table.meant_by(name))), None)
             hint = f"did you mean {near}?" if near else "a Const can use numbers, texts and other constants"
             message = f"the value of {node.name} is not known before the program runs"
-            self.problems.add("type", message, node.start, hint=hint)
+            self.diagnostics.add("type", message, node.start, hint=hint)
             value = 1  # as the size of an array or a divisor, 0 would be a second error
         natural = STRING if isinstance(value, str) else INTEGER if isinstance(value, int) else FLOAT
         kind = self.type_of(node.type, natural)
         if (kind.name == STRING) is not isinstance(value, str):
-            self.problems.add("type", f"{node.name} is {kind}, its value is {natural}", node.start)
+            self.diagnostics.add("type", f"{node.name} is {kind}, its value is {natural}", node.start)
             value = "" if kind.name == STRING else 1
         symbol = Symbol(node.name, "const", kind, node.start, function)
         symbol.const = int(value) if kind.name == INTEGER else float(value) if kind.name == FLOAT else value
@@ -336,8 +340,8 @@ class Symbols:
         for size in sizes:
             count *= size
         if count > MAX_ELEMENTS:
-            self.problems.add("range", f"{node.name} has more than {MAX_ELEMENTS} elements", node.start,
-                              hint="make the array smaller")  # fmt: skip
+            self.diagnostics.add("range", f"{node.name} has more than {MAX_ELEMENTS} elements", node.start,
+                                 hint="make the array smaller")  # fmt: skip
             return (1,) * len(sizes)
         return tuple(sizes)
 
@@ -349,8 +353,8 @@ class Symbols:
         value = fold(node, self._means(scope))
         if isinstance(value, (int, float)) and least <= value < inf and value == int(value):
             return int(value)
-        self.problems.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
-                          node.start)  # fmt: skip
+        self.diagnostics.add("range", f"{what} must be a whole number of at least {least} that is known beforehand",
+                             node.start)  # fmt: skip
         return least
 
     def _declare(self, scope: Scope, node: Resolved, symbol: Symbol) -> None:
@@ -358,8 +362,9 @@ class Symbols:
         node.resolve(symbol)
         key = symbol.name.lower()
         if key in scope.names and not (self.typed and scope is self.module):
-            self.problems.add("duplicate", f"{symbol.name} is already declared", symbol.at,
-                              hint=f"the first one is in line {self.problems.line(scope.names[key].at)}")  # fmt: skip
+            first = self.diagnostics.line(scope.names[key].at)
+            message, hint = f"{symbol.name} is already declared", f"the first one is in line {first}"
+            self.diagnostics.add("duplicate", message, symbol.at, hint)
             symbol.first = scope.names[key]
             return
         row = self.table.get(symbol.name)
@@ -373,8 +378,8 @@ class Symbols:
             and row.family != STRINGS
             and (row.kind != "statement" or key in TYPES)
         ):
-            self.problems.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
-                              hint="choose another name")  # fmt: skip
+            self.diagnostics.add("duplicate", f"{row.name} is a {row.kind} of Mint and cannot be declared", symbol.at,
+                                 hint="choose another name")  # fmt: skip
             self._taken.add(key)
         scope.names[key] = symbol
 
@@ -466,14 +471,14 @@ class Symbols:
             return
         if define in self._replacing:
             message = f"{define.name} is defined by itself"
-            self.problems.add(
+            self.diagnostics.add(
                 "type", message, define.at, "the expression of a Define must not contain its own name"
             )
             return
         depth = depth_of(define.node)  # type: ignore[arg-type]
         if self._defined_depth + depth > MAX_DEFINED_DEPTH:
             message = f"Defines nest expressions more than {MAX_DEFINED_DEPTH} deep, with this one"
-            self.problems.add("syntax", message, define.at, "use a variable for a subexpression")
+            self.diagnostics.add("syntax", message, define.at, "use a variable for a subexpression")
             self._defines_too_deep = True
             return
         self._defined_depth += depth

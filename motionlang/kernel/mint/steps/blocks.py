@@ -73,13 +73,14 @@ def _warn_of_else_if(w: UnitWriter, orelse: list[nodes.Stmt]) -> None:
     chained = _else_if(orelse)
     if chained is None or len(chained.body) < 2:
         return
-    line = w.program.names.problems.line
-    first, last, here = line(chained.body[0].start), line(chained.body[-1].start), line(chained.start)
-    if here == first < last and w.program.names.problems.text(chained.start).lower() == "else":
+    diagnostics = w.program.names.diagnostics
+    first, last, here = (
+        diagnostics.line(each.start) for each in (chained.body[0], chained.body[-1], chained)
+    )
+    if here == first < last and diagnostics.text(chained.start).lower() == "else":
+        message = "this is read as an ElseIf, which continues to its end"
         hint = "write ElseIf, or Else on a line of its own"
-        w.problem(
-            "else-if", "this is read as an ElseIf, which continues to its end", chained, hint, "warning"
-        )
+        diagnostics.add("else-if", message, chained.start, hint, "warning")
 
 
 def select(w: UnitWriter, node: nodes.Select, block: Block) -> None:
@@ -127,7 +128,7 @@ def _case_test(w: UnitWriter, test: nodes.CaseTest, subject: Value, chosen: int)
         is_known = side is not NOTHING and subject is not NOTHING
         if is_known and (side.type == STRING) is not (subject.type == STRING):
             message = f"{article(side.type)} cannot be compared with the {subject.type} of the Select"
-            w.problem("type", message, test)
+            w.error("type", message, test)
     low = sides[0].get
     if test.high is not None:
         high, at_least = sides[1].get, comparison(">=", w.program.report)
@@ -187,7 +188,7 @@ def for_(w: UnitWriter, node: nodes.For, block: Block) -> None:
     if symbol is None or symbol.kind not in ("variable", "parameter") or symbol.type.name not in NUMERIC:
         name, row = node.variable.name, node.variable.row
         hint = another_name(name, row) if row else ""
-        w.problem("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
+        w.error("type", f"{name} cannot count: it is not a numeric variable", node.variable, hint)
         return
     where, which, kind = expressions.target(w, node.variable)
     step = node.step if node.step is not None else nodes.Number(node.start, node.end, 1)
@@ -294,7 +295,7 @@ def _check_exit(w: UnitWriter, node: nodes.Exit) -> None:
     if not is_inside:
         outside = f"Exit {kind.capitalize()} outside a {kind.capitalize()}" if kind else "Exit outside a loop"
         hint = "" if kind else "Exit Sub leaves a sub, Exit Function a function"
-        w.problem("stray-end", outside, node, hint)
+        w.error("stray-end", outside, node, hint)
 
 
 def _go_back(w: UnitWriter) -> None:
@@ -306,7 +307,7 @@ def _go_back(w: UnitWriter) -> None:
 def return_(w: UnitWriter, node: nodes.Return) -> None:
     """Write `Return` from a Gosub, an event or a sub."""
     if w.function.kind == "main" and not w.function.jumps:
-        w.problem("stray-end", "Return without a Gosub", node)
+        w.error("stray-end", "Return without a Gosub", node)
     if w.function.jumps:
         w.pay()
     _go_back(w)
@@ -341,19 +342,19 @@ def jump(w: UnitWriter, node: nodes.Jump) -> None:
 
 
 def _check_label(w: UnitWriter, node: nodes.Jump) -> None:
-    name, label, problems = node.name, node.symbol, w.program.names.problems
+    name, label, diagnostics = node.name, node.symbol, w.program.names.diagnostics
     if label is not None and label.declared:
         return
     symbol = w.function.scope.find(name)
     if symbol is not None and symbol.kind == "sub":
         hint = f"a sub is called by its name alone: {symbol.name}"
-        problems.add("unknown-word", f"{symbol.name} is a sub, not a label", name.start, hint)
+        diagnostics.add("unknown-word", f"{symbol.name} is a sub, not a label", name.start, hint)
         return
 
     def labels() -> list[str]:
         return [key for key, label in w.function.labels.items() if label.declared]
 
-    problems.unknown(f"there is no label {name}", name, labels, name.start, label_hint(name))
+    diagnostics.unknown(f"there is no label {name}", name, labels, name.start, label_hint(name))
 
 
 def _gosub(w: UnitWriter) -> Callable[[Values], tuple[Steps, Values]]:

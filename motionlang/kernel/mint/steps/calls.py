@@ -21,11 +21,11 @@ def call(w: UnitWriter, node: nodes.Name, symbol: Symbol, wanted: bool) -> Value
     """Write the call of a sub; return its result, which may be `wanted`."""
     callee, program = symbol.home, w.program
     if wanted and callee.result is None:
-        w.problem("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
+        w.error("type", f"{symbol.name} is a sub and has no value", node, "a Function has a value")
         return NOTHING
     args, count = node.args or [], len(callee.parameters)
     if len(args) != count:
-        w.problem("values", f"{symbol.name} takes {count_of(count, 'value')}, {len(args)} given", node)
+        w.error("values", f"{symbol.name} takes {count_of(count, 'value')}, {len(args)} given", node)
         return NOTHING
     gets = _arguments(w, args, callee)
     if w.checks:
@@ -71,7 +71,7 @@ def _argument(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
     found = expressions.value(w, node)
     if parameter.type.name == RECORD:
         if found.type != str(parameter.type):
-            w.problem("type", f"{parameter.name} must be a {parameter.type}", node)
+            w.error("type", f"{parameter.name} must be a {parameter.type}", node)
         get = found.get
         return lambda values: copied(get(values))
     return expressions.assigned(w, found, parameter.type, node)
@@ -87,13 +87,13 @@ def _array(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
     wanted = len(parameter.dimensions)
     if found is None or len(found.dimensions) != wanted:
         many = "one subscript" if wanted == 1 else f"{wanted} subscripts"
-        w.problem("type", f"{parameter.name} must be given an array with {many}", node)
+        w.error("type", f"{parameter.name} must be given an array with {many}", node)
         return NOTHING.get
     kind = str(found.type)
     if w.checks:
         node.type = kind
     if kind != str(parameter.type):
-        w.problem("type", f"{parameter.name} is an array of {parameter.type}, {given} one of {kind}", node)
+        w.error("type", f"{parameter.name} is an array of {parameter.type}, {given} one of {kind}", node)
     return get or expressions.whole(w, found)
 
 
@@ -103,8 +103,8 @@ def _reference(w: UnitWriter, node: nodes.Expr, parameter: Symbol) -> Get:
     if type(node) is nodes.Member or (symbol is not None and symbol.kind in ("variable", "parameter")):
         where, which, kind = expressions.place(w, node)  # type: ignore[arg-type]
         if str(kind) != str(parameter.type):
-            w.problem("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
-                      f"not {kind}", node)  # fmt: skip
+            w.error("type", f"{parameter.name} is by reference and needs a variable of type {parameter.type}, "
+                    f"not {kind}", node)  # fmt: skip
         return lambda values: (where(values), which(values))
     if type(node) is nodes.Name and symbol is None and node.row is None:
         unknown_name(w, node)

@@ -1,9 +1,9 @@
-"""Check a program: resolve its names, report its mistakes, and annotate its expressions.
+"""Check a program: resolve its names, report its errors, and annotate its expressions.
 
     x = 3 + POS(0)      x: Float    3: Integer, 3    POS: Float    0: Integer, 0    3 + POS(0): Float
 
 Problem. A program may be wrong in ways that its grammar does not exclude: a text where a number is needed, an axis that
-the controller does not have, an Exit outside a loop. All mistakes are reported at once. What a later stage would have
+the controller does not have, an Exit outside a loop. All errors are reported at once. What a later stage would have
 to find again, such as the type of an expression, is recorded in the tree.
 
 Idea. After name resolution (`resolve/names.py`) each function is walked once, in the order of the text, by the writer
@@ -12,7 +12,7 @@ of its steps. A class of node has one function, which checks it and makes its va
 `words.py`. A wrong expression is reported where it is found, and has a harmless value from then on. The sentences that
 take more than a line are in `check/`.
 
-Data. A `ProgramWriter` with the settings of a machine file checks: `UnitWriter.checks` is True. Then `problem` reports,
+Data. A `ProgramWriter` with the settings of a machine file checks: `UnitWriter.checks` is True. Then `error` reports,
 `add` writes no step, and a function returns before it binds operations that nothing would call. A `Value` has the type
 of an expression, and its value if that is known. They are annotated in the nodes, as `type` and `const`.
 
@@ -37,8 +37,8 @@ from motionlang.kernel.lang.syntax.word import Word
 from motionlang.kernel.mint.check.unknown_words import warn_of_misspellings
 from motionlang.kernel.mint.keywords import table
 from motionlang.kernel.mint.resolve.aliases import rename_old_words
+from motionlang.kernel.mint.resolve.diagnostics import Diagnostics
 from motionlang.kernel.mint.resolve.names import Symbols
-from motionlang.kernel.mint.resolve.problems import Problems
 from motionlang.kernel.mint.resolve.symbols import PromptSymbols
 from motionlang.kernel.mint.runtime.environment import Environment
 from motionlang.kernel.mint.steps.places import Places
@@ -49,62 +49,53 @@ from motionlang.kernel.mint.syntax.traversal import walk
 from motionlang.kernel.tools import StackSpace
 
 
-class CheckedModule:
-    """The names and the problems of a module that has been checked."""
-
-    __slots__ = ("names", "problems")
-
-    def __init__(self, names: Symbols, problems: Problems) -> None:
-        self.names, self.problems = names, problems
-
-
 def declared(module: Module, settings: Mapping[str, object]) -> Symbols:
-    """Declare the names of a module, the first half of a check; its mistakes are in their `problems`."""
+    """Declare the names of a module, the first half of a check; its errors are in their `diagnostics`."""
     rename_old_words(module, settings)
-    problems = Problems(module)
-    mark(module, settings, problems)
-    names = Symbols(table(), problems)
+    diagnostics = Diagnostics(module)
+    mark(module, settings, diagnostics)
+    names = Symbols(table(), diagnostics)
     names.declare_module(module)
     return names
 
 
-def examined(names: Symbols, settings: Mapping[str, object]) -> CheckedModule:
-    """Check the functions of a module whose names are declared; its mistakes are in `problems`."""
+def examined(names: Symbols, settings: Mapping[str, object]) -> Symbols:
+    """Check the functions of a module whose names are declared, and return these."""
     _check(names, settings)
     warn_of_misspellings(names)
-    return CheckedModule(names, names.problems)
+    return names
 
 
 def check_line(
     module: Module, settings: Mapping[str, object] | None, session: PromptSymbols, of_program: bool = False
-) -> CheckedModule:
+) -> Symbols:
     """Check a line typed at a prompt with what earlier ones have declared, and declare its names for later ones.
 
     With `of_program` it is a whole program, whose lines may trigger faults of the machine file. Raises ProgramError
     with all errors of a line, which then declares nothing.
     """
     settings = settings or {}
-    problems = Problems(module)
+    diagnostics = Diagnostics(module)
     if of_program:
-        mark(module, settings, problems)
+        mark(module, settings, diagnostics)
     with StackSpace():
-        names = Symbols(table(), problems, session)
+        names = Symbols(table(), diagnostics, session)
         names.declare_module(module)
         _check(names, settings)
-    problems.raise_errors()
+    diagnostics.raise_errors()
     session.scope.names |= names.module.names
     session.types = names.types
-    return CheckedModule(names, problems)
+    return names
 
 
 def _check(names: Symbols, settings: Mapping[str, object]) -> None:
-    ProgramWriter(names, Environment(Machine(), Places()), names.problems.line, {}, checked=settings)
+    ProgramWriter(names, Environment(Machine(), Places()), names.diagnostics.line, {}, checked=settings)
 
 
 WORD = "(line)"
 
 
-def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problems) -> None:
+def mark(module: nodes.Module, settings: Mapping[str, object], diagnostics: Diagnostics) -> None:
     """Insert a call of a hidden keyword before the first statement of each line with a fault of the machine file.
 
     To later stages it is a command like any other, so it is executed between statements, at its own time. A line
@@ -120,7 +111,7 @@ def mark(module: nodes.Module, settings: Mapping[str, object], problems: Problem
     for line in sorted(missing):
         message = f"the machine file has a fault at line {line}, where no statement begins"
         found = Diagnostic("machine-file", message, line, hint="give a line on which a statement begins")
-        problems.add_to_line(line, found)
+        diagnostics.add_to_line(line, found)
 
 
 def _bodies(module: nodes.Module) -> list[list[nodes.Stmt]]:

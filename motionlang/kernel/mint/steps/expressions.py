@@ -105,7 +105,7 @@ def as_number(w: UnitWriter, found: Value, node: nodes.Node, what: str = "a numb
     """Return a value that must be a number; report one that is none."""
     if found.type in NUMERIC:
         return found
-    w.problem("type", f"{what} is needed here, not {article(found.type)}", node)
+    w.error("type", f"{what} is needed here, not {article(found.type)}", node)
     return NOTHING
 
 
@@ -132,7 +132,7 @@ def assigned(w: UnitWriter, found: Value, kind: Type, node: nodes.Node) -> Get:
         hint = "convert the number with Str"
     elif is_text:
         hint = "convert the text with Val"
-    w.problem("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node, hint)
+    w.error("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node, hint)
     return NOTHING.get
 
 
@@ -209,9 +209,9 @@ def _name(w: UnitWriter, node: nodes.Name) -> Value:
     if symbol.kind == "sub":
         return calls.call(w, node, symbol, wanted=True)
     if symbol.kind not in ("variable", "parameter"):
-        w.problem("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
+        w.error("type", f"{symbol.name} is a {symbol.kind} and has no value", node)
     elif symbol.is_array and node.args is None:
-        w.problem("index", f"{symbol.name} is an array and needs a subscript", node)
+        w.error("index", f"{symbol.name} is an array and needs a subscript", node)
     else:
         return _variable(w, node, symbol)
     return NOTHING
@@ -265,7 +265,7 @@ def place(
         array = whole(w, symbol)
         return array, _element(w, node, symbol.name, symbol, array), symbol.type
     if node.args is not None:
-        w.problem("type", f"{symbol.name} is not an array", node)
+        w.error("type", f"{symbol.name} is not an array", node)
     places = w.program.places
     index, shared = places.index(symbol), places.shared
     w.reads.add(places.number(symbol))
@@ -282,11 +282,11 @@ def _element(w: UnitWriter, node: nodes.Name | nodes.Member, name: str, symbol: 
     """Return the function for the index of an element; the sizes of an array parameter are 0."""
     args, sizes = node.args, symbol.dimensions
     if args is None:
-        w.problem("index", f"{name} is an array and needs a subscript", node)
+        w.error("index", f"{name} is an array and needs a subscript", node)
         return NOTHING.get
     if len(args) != len(sizes):
         given = f"{len(args)} {'is' if len(args) == 1 else 'are'} given"
-        w.problem("index", f"{name} has {count_of(len(sizes), 'subscript')}, {given}", node)
+        w.error("index", f"{name} has {count_of(len(sizes), 'subscript')}, {given}", node)
         return NOTHING.get
     found = values(w, args, _subscript)
     for arg, one, size in zip(args, found, sizes, strict=True):
@@ -314,7 +314,7 @@ def _member_place(w: UnitWriter, node: nodes.Member) -> tuple[Get, Get, Type]:
         content = _content(owner, symbol)
         return content, _element(w, node, node.field, symbol, content), kind
     if node.args is not None:
-        w.problem("type", f"{node.field} is not an array", node)
+        w.error("type", f"{node.field} is not an array", node)
     return owner, lambda values: symbol.index, kind
 
 
@@ -334,22 +334,22 @@ def _owner(w: UnitWriter, node: nodes.Member) -> tuple[Get, Symbol | None]:
     owner, get = node.value, NOTHING.get
     if type(owner) is nodes.Name and owner.symbol is None:
         if owner.args is None and owner.row is not None:
-            w.problem("syntax", f"{owner.name} needs a number after the dot, not a name", node,
-                      f"write {owner.name}[{node.field}]")  # fmt: skip
+            w.error("syntax", f"{owner.name} needs a number after the dot, not a name", node,
+                    f"write {owner.name}[{node.field}]")  # fmt: skip
         else:
             unknown_name(w, owner)
         return get, None
     if type(owner) is not nodes.Name and type(owner) is not nodes.Member:
-        w.problem("type", "only a variable has members", node)
+        w.error("type", "only a variable has members", node)
         return get, None
     where, which, kind = place(w, owner)
     if kind.record is None:
         hint = "declare the variable with a Type of yours"
-        w.problem("type", f"{article(str(kind))} has no members", node, hint)
+        w.error("type", f"{article(str(kind))} has no members", node, hint)
         return get, None
     if node.symbol is None:
         message = f"{kind.record.name} has no member {node.field}"
-        w.program.names.problems.unknown(message, node.field, kind.record.members.keys, node.start)
+        w.program.names.diagnostics.unknown(message, node.field, kind.record.members.keys, node.start)
     return (lambda values: where(values)[which(values)]), node.symbol
 
 
@@ -383,16 +383,16 @@ def _cast(w: UnitWriter, node: nodes.Cast) -> Value:
 def _number(w: UnitWriter, node: nodes.Number) -> Value:
     known = node.value
     if known in (inf, -inf):
-        w.problem("overflow", "the number is too large", node)
+        w.error("overflow", "the number is too large", node)
         return NOTHING
-    if type(known) is int and INT_HIGH < known < 1 << 32 and w.program.names.problems.is_pattern(node):
+    if type(known) is int and INT_HIGH < known < 1 << 32 and w.program.names.diagnostics.is_pattern(node):
         known -= 1 << 32  # a 32-bit pattern is an Integer, even if its highest bit is set
     return literal(known)
 
 
 def _omitted(w: UnitWriter, node: nodes.Omitted) -> Value:
     hint = "only a list of values for single axes may leave one out: SPEED(0, 1) = , 20"
-    w.problem("values", "a value is missing here", node, hint)
+    w.error("values", "a value is missing here", node, hint)
     return NOTHING
 
 
@@ -448,7 +448,7 @@ def _operated(w: UnitWriter, op: str, left: Side, right: Side) -> Value:
                 return literal(known)
             if op in ("/", "\\", "Mod") and other.const == 0:
                 hint = "the divisor is 0 whatever the program does"
-                w.problem("division-by-zero", "division by zero", at, hint)
+                w.error("division-by-zero", "division by zero", at, hint)
                 return NOTHING
     is_sum = op in ("+", "-") or (op in ARITHMETIC and not (one.sum_of and other.sum_of))
     is_test = op in COMPARISONS and one.solved is None and other.solved is None
@@ -462,16 +462,16 @@ def _is_wrong(w: UnitWriter, op: str, left: Side, right: Side) -> bool:
     (at, one), (_, other) = left, right
     if STRING not in (one.type, other.type):
         side, found = right if one.is_number else left
-        w.problem("type", f"{op} needs numbers, not {article(found.type)}", side)
+        w.error("type", f"{op} needs numbers, not {article(found.type)}", side)
     elif one is NOTHING or other is NOTHING:
         pass
     elif one.type != STRING or other.type != STRING:
         hint = "convert the number with Str" if op in ("+", "&") else ""
-        w.problem("type", f"{op} cannot take {article(one.type)} and {article(other.type)}", at, hint)
+        w.error("type", f"{op} cannot take {article(one.type)} and {article(other.type)}", at, hint)
     elif op in ("+", "&") or op in COMPARISONS:
         return False
     else:
-        w.problem("type", f"{op} needs numbers, not texts", at)
+        w.error("type", f"{op} needs numbers, not texts", at)
     return True
 
 

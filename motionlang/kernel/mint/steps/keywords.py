@@ -32,7 +32,7 @@ def write(w: UnitWriter, node: nodes.Assign, target: nodes.Name, row: Keyword) -
         unsimulated.warn(w, target, row, by=node)
     if row.simulated and row.function == "wait":
         if target.args or node.repeat:
-            w.problem("values", "WAIT = ms takes one time and no axis", target, "WAIT = 100 waits for 100 ms")
+            w.error("values", "WAIT = ms takes one time and no axis", target, "WAIT = 100 waits for 100 ms")
         waiting.wait(w, node, node.values, row)
     elif row.simulated and row.kind == "move" and row.index == "axes":
         _path(w, node, target, row)
@@ -144,12 +144,12 @@ def given_to(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
 def _check_value(w: UnitWriter, node: nodes.Expr, found: Value, row: Keyword) -> None:
     if row.unit == "text":
         if found.type != STRING and found is not NOTHING:
-            w.problem("type", f"{row.word} takes a text, not a number", node)
+            w.error("type", f"{row.word} takes a text, not a number", node)
     elif not found.is_number:
-        w.problem("type", f"{row.word} takes a number, not a text", node)
+        w.error("type", f"{row.word} takes a number, not a text", node)
     elif found.const is not None and (refusal := row.refusal(float(found.const))) is not None:
         message, hint = refusal
-        w.problem("range", message, node, hint)
+        w.error("range", message, node, hint)
 
 
 def _store(

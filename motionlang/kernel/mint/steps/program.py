@@ -39,7 +39,7 @@ class ProgramWriter:
     """Writes the steps of all functions of a program.
 
     `given` are the values of the names that differ between runs. With `is_debug` a debugger can stop before each
-    statement. With the settings of a machine file the program is `checked` for them: its mistakes are reported, its
+    statement. With the settings of a machine file the program is `checked` for them: its errors are reported, its
     tree is annotated, and no steps are written.
     """
 

@@ -45,7 +45,7 @@ def _assign(w: UnitWriter, node: nodes.Assign) -> None:
         target = node.target
         if not isinstance(target, nodes.Member):
             named = target.symbol.name  # type: ignore[union-attr]
-            w.problem("type", f"{named} is an expression and cannot be assigned to", node)
+            w.error("type", f"{named} is an expression and cannot be assigned to", node)
             return
     elif not w.is_result(target):
         symbol = target.symbol
@@ -60,7 +60,7 @@ def _assign(w: UnitWriter, node: nodes.Assign) -> None:
         if symbol.kind not in ("variable", "parameter"):
             is_function = symbol.kind == "sub" and symbol.home.result is not None
             what = {"const": "constant"}.get(symbol.kind, "function" if is_function else symbol.kind)
-            w.problem("read-only", f"{symbol.name} is a {what} and cannot be assigned to", target)
+            w.error("read-only", f"{symbol.name} is a {what} and cannot be assigned to", target)
             return
     noted = _begin_call(w, node)
     _give(w, node, target)
@@ -70,10 +70,10 @@ def _assign(w: UnitWriter, node: nodes.Assign) -> None:
 def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) -> None:
     where, which, kind = expressions.target(w, target)
     if len(node.values) != 1:
-        w.problem("values", f"a variable takes one value, {len(node.values)} given", node)
+        w.error("values", f"a variable takes one value, {len(node.values)} given", node)
         return
     if node.repeat:
-        w.problem("values", "a ; after the value is only for keywords with axes", node)
+        w.error("values", "a ; after the value is only for keywords with axes", node)
         return
     (given,) = node.values
     if kind.name == SEMAPHORE:
@@ -87,7 +87,7 @@ def _give(w: UnitWriter, node: nodes.Assign, target: nodes.Name | nodes.Member) 
     found = (expressions.value if plain is None else expressions.linear)(w, given)
     if kind.name == RECORD:
         if found.type != str(kind) and found is not NOTHING:
-            w.problem("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node)
+            w.error("type", f"cannot assign {article(found.type)} to {article(str(kind))}", node)
         _copy(w, where, which, found.get)
         return
     get = expressions.assigned(w, found, kind, given)
@@ -122,7 +122,7 @@ def _dim(w: UnitWriter, node: nodes.Dim) -> None:
         count, given = prod(symbol.dimensions), len(variable.values)
         if given > count:
             has = f"has {count} elements, {given} values are" if symbol.is_array else f"is one value, {given}"
-            w.problem("values", f"{variable.name} {has} given", variable)
+            w.error("values", f"{variable.name} {has} given", variable)
             continue
         if w.checks:
             for each in variable.values:
@@ -177,7 +177,7 @@ def _call(w: UnitWriter, node: nodes.Call) -> None:
         return
     if symbol.kind != "sub":
         hint = f"write {symbol.name} = value to give it one" if symbol.kind == "variable" else ""
-        w.problem("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target, hint)
+        w.error("not-a-command", f"{symbol.name} is a {symbol.kind}, not a command", target, hint)
         return
     noted = _begin_call(w, node)
     w.settle(*(target.args or ()))

@@ -29,7 +29,7 @@ def print_(w: UnitWriter, node: nodes.Print) -> None:
     """Write `PRINT items`, and a LINE with formats or a `;`."""
     if node.word and (node.row is None or node.row.function != "line"):
         message = f"USING and ; belong among the values of PRINT and LINE, not of {node.word}"
-        w.problem("syntax", message, node, hint_at_type(node.word))
+        w.error("syntax", message, node, hint_at_type(node.word))
         return
     if node.word:
         _print_on_row(w, node, node.line, node.items)
@@ -55,7 +55,7 @@ def _print_on_row(
     w: UnitWriter, node: nodes.Stmt, where: nodes.Expr | None, items: list[nodes.PrintItem]
 ) -> None:
     if where is None:
-        w.problem("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
+        w.error("values", "LINE needs the number of a row", node, 'LINE 2, "text" prints on the second row')
         return
     w.settle_before_calls(where, *items)
     row = expressions.converted(w, expressions.number(w, where, "the number of a row"), Type(INTEGER))
@@ -110,13 +110,13 @@ def _shown(w: UnitWriter, item: nodes.PrintItem, found: Value) -> Get:
     if item.using:
         widths = [_width_of(w, each, index) for index, each in enumerate(item.using)]
         if len(item.using) > 2:
-            w.problem("values", f"USING takes a width and decimals, {len(item.using)} values given", item)
+            w.error("values", f"USING takes a width and decimals, {len(item.using)} values given", item)
         using: Any = USING[_KINDS.get(found.type, "integer")]
         return lambda values: using(get(values), *[each(values) for each in widths])
     if found.type == STRING:
         return get
     if found.type not in NUMERIC:
-        w.problem("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
+        w.error("type", f"{article(found.type)} cannot be printed", item.value, "print its members")
     show = w.program.show_float if found.type == FLOAT else show_integer
     return lambda values: show(get(values))
 
@@ -126,7 +126,7 @@ def _width_of(w: UnitWriter, node: nodes.Expr, index: int) -> Get:
     if not found.is_number:
         what = "decimals are" if index else "a width is"
         hint = "decimals follow the width after a comma; a semicolon ends the item" if index else ""
-        w.problem("type", f"{what} needed here, not {article(found.type)}", node, hint)
+        w.error("type", f"{what} needed here, not {article(found.type)}", node, hint)
         return NOTHING.get
     return expressions.converted(w, found, Type(INTEGER))
 

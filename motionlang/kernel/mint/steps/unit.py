@@ -31,7 +31,7 @@ class UnitWriter:
 
     def __init__(self, program: ProgramWriter, function: Function) -> None:
         self.program, self.function = program, function
-        # True if it reports mistakes and annotates the tree, and writes no steps.
+        # True if it reports errors and annotates the tree, and writes no steps.
         self.checks = program.checks
         self.steps = program.steps[function]
         # The offset of the statement that is being written.
@@ -153,12 +153,10 @@ class UnitWriter:
 
     # ------------------------------------------------------------------------------------------- the check
 
-    def problem(
-        self, code: str, message: str, node: nodes.Node, hint: str = "", severity: str = "error"
-    ) -> None:
-        """Report a mistake, if this is a check: a value that a run is given may be out of range."""
+    def error(self, code: str, message: str, node: nodes.Node, hint: str = "") -> None:
+        """Report an error, if this is a check: a value that a run is given may be out of range."""
         if self.checks:
-            self.program.names.problems.add(code, message, node.start, hint, severity)
+            self.program.names.diagnostics.add(code, message, node.start, hint)
 
     # ------------------------------------------------------------------------------------------- properties
 

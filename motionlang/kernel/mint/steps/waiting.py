@@ -30,7 +30,7 @@ def wait(w: UnitWriter, node: nodes.Node, given: list[nodes.Expr], row: Keyword)
     A WAIT reads nothing, so what is due by then happens while it waits.
     """
     if len(given) != 1:
-        w.problem("values", f"WAIT needs 1 value, {len(given)} given", node, "WAIT = 100 waits for 100 ms")
+        w.error("values", f"WAIT needs 1 value, {len(given)} given", node, "WAIT = 100 waits for 100 ms")
         return
     w.settle(*given)
     get = keywords.given_to(w, given[0], row).get
@@ -147,7 +147,7 @@ def input_(w: UnitWriter, node: nodes.Input) -> None:
         return
     if symbol is not None and symbol.kind not in ("variable", "parameter"):
         expressions.place(w, named)
-        w.problem("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", named)
+        w.error("type", f"INPUT needs a variable, and {symbol.name} is a {symbol.kind}", named)
         return
     where, which, kind = expressions.target(w, named)
     number = terminal.number_of(w, node.terminal)

@@ -51,12 +51,12 @@ def read(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     """Return the value of a keyword, a function or a constant."""
     if row.kind == "constant":
         if node.args is not None:
-            w.problem("values", f"{row.word} is a constant and takes no brackets", node)
+            w.error("values", f"{row.word} is a constant and takes no brackets", node)
         return literal(constant(row.function, row.unit))
     if row.kind == "function":
         return _function(w, node, row)
     if row.kind == "statement":
-        w.problem("type", f"{row.word} is a statement and has no value", node)
+        w.error("type", f"{row.word} is a statement and has no value", node)
         return NOTHING
     if not can_be_read(w, node, row):
         return NOTHING
@@ -106,7 +106,7 @@ def _function(w: UnitWriter, node: nodes.Name, row: Keyword) -> Value:
     kinds = row.index.split(", ") if row.index else []
     if not len(kinds) - row.optional <= len(args) <= len(kinds):
         message = f"{row.word} takes {many(len(kinds), 'value')}, {len(args)} given"
-        w.problem("values", message, node, f"{row.word}({row.index})")
+        w.error("values", message, node, f"{row.word}({row.index})")
         return NOTHING
     each_kind = iter(kinds)
     found = expressions.values(w, args, lambda w, arg: _argument(w, arg, next(each_kind), row))
@@ -137,7 +137,7 @@ def _argument(w: UnitWriter, node: nodes.Expr, kind: str, row: Keyword) -> Value
     if kind == "bool":
         return expressions.as_number(w, found, node, "a condition")
     if kind == "text" and found.type != STRING and found is not NOTHING:
-        w.problem("type", f"{row.word} needs a text, not a number", node, "convert the number with Str")
+        w.error("type", f"{row.word} needs a text, not a number", node, "convert the number with Str")
     return found if kind in ("text", "any") else expressions.as_number(w, found, node)
 
 
@@ -146,7 +146,7 @@ def _choice(w: UnitWriter, node: nodes.Name, test: Value, yes: Value, no: Value)
     if yes is NOTHING or no is NOTHING:
         return NOTHING
     if (yes.type == STRING) is not (no.type == STRING):
-        w.problem("type", "the two values of IIf must both be numbers or both be texts", node)
+        w.error("type", "the two values of IIf must both be numbers or both be texts", node)
         return NOTHING
     holds, first, second = test.holds, yes.get, no.get
     kind = yes.type if yes.type == no.type else FLOAT
@@ -166,28 +166,28 @@ def indices(w: UnitWriter, node: nodes.Name, row: Keyword, single: bool = False)
     args = node.args or []
     if row.index == "none":
         if args:
-            w.problem("values", f"{row.word} takes no brackets", node)
+            w.error("values", f"{row.word} takes no brackets", node)
         return []
     kinds = row.index.split(", ")
     missing = len(kinds) - len(args)
     if kinds[-1] == "array":
         if not 0 <= missing < kinds.count("array"):
             message = f"{row.word} takes {row.index} in brackets, {len(args)} given"
-            w.problem("values", message, node, row.example.split("\n")[0])
+            w.error("values", message, node, row.example.split("\n")[0])
             return [NOTHING] * len(kinds)
         found = [_index(w, *each, row) for each in zip(args, kinds, strict=False)]
         return found + [Value(lambda values: None, "array")] * missing
     if not args:
         if len(kinds) > 1 or row.index == "task":
             needed = row.index if len(kinds) > 1 else article(row.index)
-            w.problem("values", f"{row.word} needs {needed} in brackets", node)
+            w.error("values", f"{row.word} needs {needed} in brackets", node)
         bank = w.program.names.default_bank
         if row.index == "bank" and row.group == "io" and bank is not None:
             return [Value(as_integer(_reading(w, [], bank)), INTEGER)]
         return [literal(0)] * len(kinds)
     if missing and (missing > 0 or single or kinds[-1] not in ("axis", "axes")):
         wanted = many(1, kinds[0]) if len(kinds) == 1 else f"{many(len(kinds), 'value')} ({row.index})"
-        w.problem("values", f"{row.word} takes {wanted} in brackets, {len(args)} given", node)
+        w.error("values", f"{row.word} takes {wanted} in brackets, {len(args)} given", node)
         return [NOTHING] * len(kinds)
     return [_index(w, *each, row) for each in zip(args, kinds + kinds[-1:] * -missing, strict=True)]
 
@@ -220,10 +220,10 @@ def _checked_index(w: UnitWriter, found: Value, node: nodes.Expr, kind: str) -> 
     if kind == "distance" or not isinstance(known, (int, float)):
         return typed(FLOAT)
     if known != int(known):
-        w.problem("range", f"{known} is not {what}", node)
+        w.error("range", f"{known} is not {what}", node)
     elif kind in ("axis", "axes") and known not in w.program.axes:
         hint = f"this controller has axes 0 to {w.program.axes[-1]}; controller.axes sets their number"
-        w.problem("axis", f"there is no axis {known}", node, hint)
+        w.error("axis", f"there is no axis {known}", node, hint)
     return typed(INTEGER)
 
 
@@ -246,7 +246,7 @@ def _array(w: UnitWriter, node: nodes.Expr, row: Keyword) -> Value:
         return Value(lambda values: None, "array")
     if symbol is None or len(symbol.dimensions) != 1 or symbol.type.name not in NUMERIC:
         message = f"{row.word} needs an array of numbers with one subscript here"
-        w.problem("type", message, node, "NULL stands for a table that is not given")
+        w.error("type", message, node, "NULL stands for a table that is not given")
         return NOTHING
     if w.checks:
         node.type = str(symbol.type)

@@ -15,10 +15,10 @@ from motionlang.kernel.mint.syntax.traversal import names_of
 from motionlang.kernel.tools import differ_little, nearest
 
 # More are not useful; most errors after the first hundred are consequences of earlier ones.
-MAX_PROBLEMS = 100
+MAX_DIAGNOSTICS = 100
 
 
-class Problems:
+class Diagnostics:
     """Diagnostics at offsets, turned into lines and columns."""
 
     def __init__(self, module: Module) -> None:
@@ -42,8 +42,8 @@ class Problems:
 
     @property
     def is_full(self) -> bool:
-        """True if further problems are no longer recorded."""
-        return len(self.found) >= MAX_PROBLEMS and self.has_errors
+        """True if further diagnostics are no longer recorded."""
+        return len(self.found) >= MAX_DIAGNOSTICS and self.has_errors
 
     def add(
         self,
@@ -63,7 +63,7 @@ class Problems:
         """
         if self.taken and self.text(at).partition(".")[0].lower() in self.taken:
             return
-        if len(self.found) < MAX_PROBLEMS or (severity == "error" and not self.has_errors):
+        if len(self.found) < MAX_DIAGNOSTICS or (severity == "error" and not self.has_errors):
             self.has_errors = self.has_errors or severity == "error"
             line, column, length = self._location(at)
             self.found.setdefault(
