@@ -81,7 +81,7 @@ The parser builds nodes of `kernel/mint/syntax/nodes.py`. The base class is `ker
 
 `kernel/mint/resolve/` finds what each name refers to. A class of node has one function in `kernel/mint/steps/`, which
 is called twice. First it checks the node (`kernel/mint/steps/check.py`) and reports its mistakes. These functions check
-the keyword:
+the keyword: `_checked_index` its axis, `_check_value` its value by the range of the row (`Keyword.refusal`).
 
 ```text
 {check}
@@ -95,8 +95,13 @@ buffer of the axis is full, the step waits and is done again. It pays for the st
 {code}
 ```
 
-The makers of a step nest like this. `bound` returns the operation of the keyword on axis 0, which the row's own maker
-`made` makes. `_load` makes the function of the step around it, and `add` names this function after the keyword.
+The makers of a step nest like this. `bound` returns the operation of the keyword on axis 0. The row of MOVER has a
+maker, `load_move(True)`, whose function `made` makes it. `_load` makes the function of the step around it,
+`loaded`, and `add` names this function after the keyword: a stack says `MOVER`.
+
+A setting such as `SPEED(0) = 100` takes a shorter way: `_store` adds a step whose function is made by `action`
+(`kernel/mint/steps/words.py`), and `_write_setting` (`kernel/mint/runtime/binding.py`) binds it to the setting of
+`kernel/controller/settings.py` that its row names.
 
 ```text
 {makers}
@@ -111,8 +116,8 @@ stack, and a profile the same names: `MOVER` is the function of the step, `load`
 {stack}
 ```
 
-The operation checks the value and calls the controller (`tests/operations.py`) in counts and seconds: 25 user units are
-250 counts.
+The operation checks the value and calls the controller (`kernel/controller/operations.py`) in counts and seconds: 25
+user units are 250 counts.
 
 ```text
 {operations}

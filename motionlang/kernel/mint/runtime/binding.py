@@ -23,8 +23,8 @@ commands of axes). A "load" returns true while the buffer has no space. The step
     reported                  marks a repeatable write that itself returns true if it has changed anything
 
 Invariants.
-- An operation on an axis is bound to one that exists (`axis_of`). A written value lies in the range of its row. That is
-  checked here and nowhere else; NaN is outside every range.
+- An operation on an axis is bound to one that exists (`axis_of`). A written value lies in the range of its row. At run
+  time that is checked here and nowhere else; NaN is outside every range.
 - If the text gives the number of an axis, the operation is bound at the start; for a computed axis, at its first use.
 - A polling loop that writes a repeatable keyword has done nothing if that changed no value and scheduled no event.
 
