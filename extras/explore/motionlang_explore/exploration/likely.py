@@ -9,12 +9,22 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from motionlang.kernel import Source
 from motionlang.kernel.lang import WRITE, Named, Structure
 from motionlang_explore.exploration.states import DELAY
-from motionlang_explore.exploration.words import ABSENT, BACK, BAD, BY_HAND, COMMON, GOOD, SHOWN, STEADY
+from motionlang_explore.exploration.words import (
+    ABSENT,
+    BACK,
+    BAD,
+    BY_HAND,
+    COMMON,
+    GOOD,
+    RESET,
+    SHOWN,
+    STEADY,
+)
 from motionlang_explore.identification import Entry
 
 # A sensor behind an output takes so long, s, and a push of a button.
@@ -27,7 +37,8 @@ PUSHED: Entry = {**ASKED, "for": PUSH}
 QUICK: Entry = {"asked": 0.02}
 # What a remark behind a name says of a level, such as (0 = shut).
 _LEVELS = re.compile(
-    r"\W{1,3}(?:([01]) *= *([^\W\d]+)|([^\W\d]+) *= *([01])\b)(?:\W{1,3}([01]) *= *([^\W\d]+))?"
+    r"\W{1,3}(?:([01]|low|high) *= *([^\W\d]+)|([^\W\d]+) *= *([01])\b)(?:\W{1,3}([01]|low|high) *= *([^\W\d]+))?",
+    re.IGNORECASE,
 )
 # Where a word of doorClosed or di_Door begins.
 _WORD = re.compile(r"(?<=[a-z])(?=[A-Z])|_")
@@ -51,6 +62,9 @@ class Likely:
             names[one, number] = names[one, number].strip() or names[kind, number]
         self._names: Mapping[tuple[str, int], str] = dict(names)
         self._before = _switched_before(structure, names)
+        inputs = ((number, name) for (kind, number), name in names.items() if kind == "input")
+        # The statements of trouble, which a person resets.
+        self.trouble = _before_reset(structure, {number for number, name in inputs if RESET.search(name)})
 
     def rules(self, number: int, *, by_name: bool = True) -> list[Entry]:
         """Return the rules of an input that its name and the outputs before it suggest, which come first without."""
@@ -87,7 +101,7 @@ def _good_level(remark: str) -> bool | None:
     for level, word in said:
         for words, is_good in ((GOOD, True), (BAD, False)):
             if level and words.match(word):
-                return (level == "1") is is_good
+                return (level.lower() in ("1", "high")) is is_good
     return None
 
 
@@ -114,6 +128,38 @@ def _switched_before(
         elif each.moves:
             last.pop(unit, None)
     return {number: list(each) for number, each in found.items()}
+
+
+def _before_reset(structure: Structure, resets: Collection[int]) -> frozenset[int]:
+    """Return what prints, or else what switches, from where a program always comes to a wait for one of some inputs.
+
+    Nothing moves, and no other input is waited for in between.
+    """
+    points, within = structure.points, structure.graph.within
+    loops, numbers = {points[p].at for p in structure.graph.closing}, {str(each) for each in resets}
+    led = set[int]()
+    for p in reversed(range(len(points))):
+        statement = structure.statements.get(points[p].at)
+        inputs = (
+            set()
+            if statement is None
+            else {use.number for use in statement.channels if use.channel == "input"}
+        )
+        waits = (
+            statement is not None
+            and bool(statement.condition)
+            and (bool(statement.waits) or points[p].at in loops)
+        )
+        if waits and inputs:
+            leads = not inputs.isdisjoint(numbers)
+        else:
+            moves = statement is not None and bool(statement.moves)
+            leads = not moves and bool(within[p]) and led.issuperset(within[p])
+        if leads:
+            led.add(p)
+    offsets = {points[p].at for p in led}
+    texts = {at for at, each in structure.statements.items() if at in offsets and '"' in each.text}
+    return frozenset(texts or offsets)
 
 
 def _stems(name: str) -> set[str]:

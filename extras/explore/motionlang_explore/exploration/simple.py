@@ -481,7 +481,8 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     texts = {without_figures(plain(each.text)): plain(each.text) for each in run.machine.log.prints}
     said = [repr(text) for each, text in texts.items() if each in faults]
     times = often[MOVE] if run.cycle is None else run.cycle.count
-    if not said:
+    is_named = any(is_wrong(text) for each, text in texts.items() if each in faults)
+    if not is_named:
         homes = run.dialect.table().homes
         same = Counter(
             (each.line, each.axis, round(each.to_user(each.profile.end), 3))
@@ -491,7 +492,7 @@ def fault_of(explorer: Explorer, run: Run) -> str:
             and not (each.ended or homes(each.command))
         )
         times = max([times, often[SAID], *same.values()])
-    if faults.total() > HALF * (times if not said else often[SAID]):
+    if faults.total() > HALF * (often[SAID] if is_named else times):
         words = f"prints {', '.join(said)}"
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
@@ -545,20 +546,21 @@ def _outputs(explorer: Explorer) -> set[int]:
 def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Counter[str]]:
     """Return how often a run does each thing, and how often it says what is wrong."""
     right, faults, homes = Counter[tuple[str, object]](), Counter[str](), run.dialect.table().homes
-    aside = explorer.beside | explorer.handlers
+    aside, trouble = explorer.beside | explorer.handlers, explorer.likely.trouble
     for move in run.machine.log.moves:
         if move.profile is not None and not (is_short_move(move) or homes(move.command)):
             is_done = move.profile.duration < inf and not move.ended and move.profile.shape not in ENDLESS
             right[MOVE if is_done else JOG, move.line] += 1
     for switched in run.machine.log.outputs:
-        if switched.value and switched.at >= 0 and switched.channel in explorer.alarms:
+        is_alarm = switched.channel in explorer.alarms or switched.at in trouble
+        if switched.value and switched.at >= 0 and is_alarm:
             faults[f"output {switched.channel}"] += 1
         elif switched.value and switched.at >= 0 and switched.at not in aside:
             right[OUTPUT, switched.channel] += 1
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
             text = without_figures(plain(each.text))
-            if wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
+            if each.at in trouble or wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
                 faults[text] += 1
             elif speaks(text) and each.at not in explorer.handlers:
                 right[SAID, text] += 1

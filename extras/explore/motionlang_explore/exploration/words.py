@@ -21,8 +21,8 @@ def _words(**languages: str) -> re.Pattern[str]:
     return re.compile(_any(**languages), re.IGNORECASE)
 
 
-# In the name of an input: what a person pushes, what is on in a good machine, what is there in a bad one, and what is
-# on while its output is off.
+# In the name of an input: what a person pushes, what resets a fault, what is on in a good machine, what is there in a
+# bad one, and what is on while its output is off.
 BY_HAND = _words(
     en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|reset|ack|push|changed",
     de=r"tast|knopf|fu(?:ss|ß)|quit",
@@ -30,6 +30,14 @@ BY_HAND = _words(
     es=r"pulsador|bot[óo]n|\bmarcha\b|arranque|\bmano|rearme",
     it=r"pulsante|avvio|marcia|\bmano\b|riarmo|ripristino",
     nl=r"knop|pedaal|\bvoet|kwiteer|herstel",
+)
+RESET = _words(
+    en=r"reset",
+    de=r"quit|entst(?:oe|ö)r",
+    fr=r"acquit|r[ée]arm",
+    es=r"rearme",
+    it=r"riarmo|ripristino",
+    nl=r"kwiteer|herstel",
 )
 STEADY = _words(
     en=r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health"

@@ -323,3 +323,30 @@ RETURN
     assert cell("init", "old.prg", "--format", "none").status == 0
     printed = cell("run", "old.prg", "--until", "30").out.splitlines()
     assert (printed.count("print ok") > 16, "DOOR OPEN" in printed) == (True, False)
+
+
+def test_what_a_person_resets_is_no_good_piece(cell: Cell) -> None:
+    """Its words are of no kind, and no level is above 200 %."""
+    cell.write(
+        "old.mnt",
+        f"""\
+' IN 1 start  4 plate down  7 fault reset
+{RATES}
+Loop
+  Pause INX(1)
+  MOVER(0) = 20 : GO(0) : Pause IDLE(0)
+  OUTX(1) = 1 : Wait(500) : OUTX(1) = 0
+  If INX(4) And ADC(0) > 200 Then
+    Print "bullet on tray"
+  Else
+    Print "TRIP 2"
+    Pause INX(7)
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  End If
+  Pause Not INX(1)
+End Loop
+""",
+    )
+    ran = cell("init", "old.mnt")
+    assert ran.status == 1
+    assert "no good piece was found: the best cycle prints 'TRIP 2'" in ran.err
