@@ -63,8 +63,9 @@ class Likely:
         self._names: Mapping[tuple[str, int], str] = dict(names)
         self._before = _switched_before(structure, names)
         inputs = ((number, name) for (kind, number), name in names.items() if kind == "input")
-        # The statements of trouble, which a person resets.
-        self.trouble = _before_reset(structure, {number for number, name in inputs if RESET.search(name)})
+        # The statements of trouble, which a person resets; a button that starts as well has other pieces.
+        resets = {number for number, name in inputs if RESET.search(name) and "start" not in name.lower()}
+        self.trouble = _before_reset(structure, resets)
 
     def rules(self, number: int, *, by_name: bool = True) -> list[Entry]:
         """Return the rules of an input that its name and the outputs before it suggest, which come first without."""

@@ -492,7 +492,9 @@ def fault_of(explorer: Explorer, run: Run) -> str:
             and not (each.ended or homes(each.command))
         )
         times = max([times, often[SAID], *same.values()])
-    if faults.total() > HALF * (often[SAID] if is_named else times):
+    # A lamp and a text of one trouble are one.
+    count = faults.total() if is_named else max(faults.values(), default=0)
+    if count > HALF * (often[SAID] if is_named else times):
         words = f"prints {', '.join(said)}"
         return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:

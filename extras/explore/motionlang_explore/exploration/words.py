@@ -135,9 +135,15 @@ _STOPPED = _words(en=r"stopped|\bstop (?:pressed|button|key)")
 
 
 def alarms_in(names: Iterable[Named]) -> frozenset[int]:
-    """Return the outputs whose names in comments say that something is wrong."""
-    kinds = ("output", "channel")
-    return frozenset(each.number for each in names if each.kind in kinds and ALARM.search(each.name))
+    """Return the outputs whose names in comments say that something is wrong, but for one that a sensor watches."""
+    known = [(each.kind, each.number, each.name.lower()) for each in names]
+    return frozenset(
+        number
+        for kind, number, name in known
+        if kind in ("output", "channel")
+        and ALARM.search(name)
+        and not any(other.startswith(f"{name} ") for _, _, other in known)
+    )
 
 
 def is_wrong(said: str) -> bool:
