@@ -33,9 +33,10 @@ SHAPES: dict[str, Callable[[int], str]] = {
     "labels.prg": lambda n: _lines("#L{i}\nx = {i}\n", n // 2) + "IF x = 1 THEN GOTO L5\n",
     "gotos.prg": lambda n: _lines("#L{i}\nx = x + 1\nIF x > {i} THEN GOTO L{k}\n", n // 3),
     "gosubs.prg": lambda n: (
-        _lines("GOSUB S{i}\n", n // 5)
+        "#TOP\n"
+        + _lines("GOSUB S{i}\n", n // 6)
         + "END\n"
-        + _lines("#S{i}\nMOVER.0 = 1 : GO.0\nPAUSE IDLE.0\nRETURN\n", n // 5)
+        + _lines("#S{i}\nMOVER.0 = 1 : GO.0\nPAUSE IDLE.0\nIF INX.1 THEN GOTO TOP\nRETURN\n", n // 6)
     ),
     "ifs.mnt": lambda n: _lines("If INX(3) Then\nOUTX(1) = 1\nElse\nOUTX(1) = 0\nEnd If\n", n // 5),
     "blocks.mnt": lambda n: (
@@ -132,6 +133,7 @@ def test_a_program_of_twice_the_length_is_twice_the_work(shape: str) -> None:
 # Long flat files in which a search through the whole file takes little of the time.
 FLAT: dict[str, Callable[[int], str]] = {
     "gotos.prg": SHAPES["gotos.prg"],
+    "gosubs.prg": SHAPES["gosubs.prg"],
     "blocks.mnt": SHAPES["blocks.mnt"],
     "settings.mnt": lambda n: _lines("SPEED(0) = 10\nACCEL(0) = 20\n", n // 2),
     "modes.mcl": lambda n: _lines("1VM,1GO\n", n // 2),

@@ -16,8 +16,8 @@ to a fixed point.
 
 Data. A point is a step of one of the lists; its number is its index in `points`. `Point.next` passes over calls, so a
 client that knows what a call does stays in one list. `within` is the same, but what has no parameters is entered: a
-Gosub leads to its label, and a Return that this leads to leads behind every Gosub of it. In a graph that `enters` all
-calls, as for the macros of MCCL, this holds for every list. Calls of the same are not matched with its returns.
+Gosub leads to its label, and a Return of that subroutine leads behind every Gosub of it. In a graph that `enters` all
+calls, as for the macros of MCCL, this holds for every list. Calls of one subroutine are not matched with its Returns.
 Several Returns and several calls share a junction: a point that is no step, behind all lists, which the Returns lead to
 and which leads behind the calls. Only `within` leads to it.
 
@@ -177,20 +177,50 @@ class StepGraph:
                 if is_call and (enters or own.start < called < own.stop):
                     behind.setdefault(called, []).extend(self.points[p].next)
                     found[p] = (called,)
-        for entry, points in behind.items():
-            returns = self._returns(entry)
+        if enters:
+            groups = [(self._returns(self._led_to(entry)), points) for entry, points in behind.items()]
+        else:
+            groups = [each for own in self.ranges.values() for each in self._subroutines(own, behind)]
+        for returns, points in groups:
             if len(returns) > 1 and len(points) > 1:
                 self._junctions[len(found)] = returns[-1]
-                self.points.append(GraphPoint((self.points[entry].key[0], -1), NOTE, -1, ()))
+                self.points.append(GraphPoint((self.points[returns[0]].key[0], -1), NOTE, -1, ()))
                 found.append(tuple(dict.fromkeys(points)))
                 points = [len(found) - 1]
             for p in returns:
                 found[p] = tuple(dict.fromkeys([*found[p], *points]))
         return found
 
-    def _returns(self, entry: int) -> list[int]:
-        """Return the points that return from what begins at a point, also in the lists that it jumps to."""
-        return [p for p in self._led_to(entry) if self.points[p].kind == RETURN]
+    def _returns(self, points: Iterable[int]) -> list[int]:
+        return [p for p in points if self.points[p].kind == RETURN]
+
+    def _subroutines(self, own: range, behind: dict[int, list[int]]) -> Iterator[tuple[list[int], list[int]]]:
+        """Yield the Returns of the subroutines of a list, and the points behind their Gosubs.
+
+        Labels that lead to the same point are one subroutine. What the list leads to by itself is part of any, since
+        each may jump there. The last point is the end of the text, and no Return.
+        """
+        entries = [p for p in own if p in behind]
+        if not entries:
+            return
+        seen = set(self._led_to(own.start, own))
+        yield self._returns(sorted(seen - {own[-1]})), [each for p in entries for each in behind[p]]
+        beside: dict[int, list[int]] = {p: [] for p in own if p not in seen}
+        for p, others in beside.items():
+            for after in self.points[p].next:
+                if after in beside:
+                    others.append(after)
+                    beside[after].append(p)
+        for first in entries:
+            part, stack = list[int](), [first]
+            while stack:
+                p = stack.pop()
+                if p not in seen:
+                    seen.add(p)
+                    part.append(p)
+                    stack += beside[p]
+            gosubs = [each for p in sorted(part) for each in behind.get(p, ())]
+            yield self._returns(sorted({*part} - {own[-1]})), gosubs
 
     def _led_to(self, first: int, own: range | None = None) -> list[int]:
         """Return the points, of all or of a list, that a point leads to, without those in what is called."""
