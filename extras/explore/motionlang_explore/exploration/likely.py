@@ -134,28 +134,22 @@ def _switched_before(
 def _before_reset(structure: Structure, resets: Collection[int]) -> frozenset[int]:
     """Return what prints, or else what switches, from where a program always comes to a wait for one of some inputs.
 
-    Nothing moves, and no other input is waited for in between.
+    Nothing moves, no other input is waited for and nothing with parameters is called in between.
     """
     points, within = structure.points, structure.graph.within
-    loops, numbers = {points[p].at for p in structure.graph.closing}, {str(each) for each in resets}
-    led = set[int]()
+    loops, led = {points[p].at for p in structure.graph.closing}, set[int]()
     for p in reversed(range(len(points))):
         statement = structure.statements.get(points[p].at)
-        inputs = (
-            set()
-            if statement is None
-            else {use.number for use in statement.channels if use.channel == "input"}
-        )
-        waits = (
-            statement is not None
-            and bool(statement.condition)
-            and (bool(statement.waits) or points[p].at in loops)
-        )
+        uses = () if statement is None else statement.channels
+        inputs = {use.number for use in uses if use.channel == "input"}
+        waits = statement is not None and statement.condition and (statement.waits or points[p].at in loops)
+        moves = statement is not None and statement.moves
         if waits and inputs:
-            leads = not inputs.isdisjoint(numbers)
+            leads = not inputs.isdisjoint(map(str, resets))
+        elif moves or not within[p] or (points[p].calls >= 0 and points[p].calls not in within[p]):
+            leads = False
         else:
-            moves = statement is not None and bool(statement.moves)
-            leads = not moves and bool(within[p]) and led.issuperset(within[p])
+            leads = led.issuperset(within[p])
         if leads:
             led.add(p)
     offsets = {points[p].at for p in led}

@@ -495,8 +495,11 @@ def fault_of(explorer: Explorer, run: Run) -> str:
     # A lamp and a text of one trouble are one.
     count = faults.total() if is_named else max(faults.values(), default=0)
     if count > HALF * (often[SAID] if is_named else times):
-        words = f"prints {', '.join(said)}"
-        return words if said else f"switches on {next(iter(faults))}, an alarm by its name"
+        if said:
+            return f"prints {', '.join(said)}"
+        first = next(iter(faults))
+        is_alarm = first in {f"output {each}" for each in explorer.alarms}
+        return f"switches on {first}, {'an alarm by its name' if is_alarm else 'and waits for a reset'}"
     if run.cycle is not None and run.cycle.period < SHORTEST_MOVE and often[MOVE] + often[JOG]:
         return "cuts off its moves at once"
     outputs = _outputs(explorer)

@@ -21,16 +21,8 @@ def _words(**languages: str) -> re.Pattern[str]:
     return re.compile(_any(**languages), re.IGNORECASE)
 
 
-# In the name of an input: what a person pushes, what resets a fault, what is on in a good machine, what is there in a
+# In the name of an input: what resets a fault, what a person pushes, what is on in a good machine, what is there in a
 # bad one, and what is on while its output is off.
-BY_HAND = _words(
-    en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|reset|ack|push|changed",
-    de=r"tast|knopf|fu(?:ss|ß)|quit",
-    fr=r"poussoir|bouton|p[ée]dale|d[ée]part|acquit|r[ée]arm",
-    es=r"pulsador|bot[óo]n|\bmarcha\b|arranque|\bmano|rearme",
-    it=r"pulsante|avvio|marcia|\bmano\b|riarmo|ripristino",
-    nl=r"knop|pedaal|\bvoet|kwiteer|herstel",
-)
 RESET = _words(
     en=r"reset",
     de=r"quit|entst(?:oe|ö)r",
@@ -38,6 +30,15 @@ RESET = _words(
     es=r"rearme",
     it=r"riarmo|ripristino",
     nl=r"kwiteer|herstel",
+)
+BY_HAND = _words(
+    any=RESET.pattern,
+    en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|ack|push|changed",
+    de=r"tast|knopf|fu(?:ss|ß)",
+    fr=r"poussoir|bouton|p[ée]dale|d[ée]part",
+    es=r"pulsador|bot[óo]n|\bmarcha\b|arranque|\bmano",
+    it=r"pulsante|avvio|marcia|\bmano\b",
+    nl=r"knop|pedaal|\bvoet",
 )
 STEADY = _words(
     en=r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health"
@@ -136,13 +137,12 @@ _STOPPED = _words(en=r"stopped|\bstop (?:pressed|button|key)")
 
 def alarms_in(names: Iterable[Named]) -> frozenset[int]:
     """Return the outputs whose names in comments say that something is wrong, but for one that a sensor watches."""
-    known = [(each.kind, each.number, each.name.lower()) for each in names]
+    known = [(each.kind, each.number, each.name.lower().split()) for each in names]
+    begins = {tuple(words[:k]) for _, _, words in known for k in range(1, len(words))}
     return frozenset(
         number
-        for kind, number, name in known
-        if kind in ("output", "channel")
-        and ALARM.search(name)
-        and not any(other.startswith(f"{name} ") for _, _, other in known)
+        for kind, number, words in known
+        if kind in ("output", "channel") and ALARM.search(" ".join(words)) and tuple(words) not in begins
     )
 
 

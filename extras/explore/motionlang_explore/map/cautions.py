@@ -23,11 +23,10 @@ from motionlang_explore.exploration import (
     without_memory,
 )
 from motionlang_explore.map.names import ReaderNames, is_alarm
-from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
+from motionlang_explore.map.reasons import MAX_REASONS, OFF, QUOTED, Reason, Reasons
 
 _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
-_OFF = ("0", "_off", "_false")
 _NAME = re.compile(r"[A-Za-z_]\w*")
 
 
@@ -119,7 +118,7 @@ def _alarms(
             Reason(f"`{use.value}`", each.line) for use in written if " " in use.value
         ]
         lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
-        is_on = any(use.value.lower() not in _OFF for use in written)
+        is_on = any(use.value.lower() not in OFF for use in written)
         is_question = any(use.channel == "answer" for use in each.channels)
         texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
         shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]

@@ -44,6 +44,8 @@ MAX_POINTS, MAX_LENGTH = 60, 400
 
 # What a reason is: a quotation, a time or a count, something behind a variable, a channel or a handler.
 QUOTED, COUNTED, THROUGH, DIRECT = range(4)
+# The values with which an output is switched off.
+OFF = ("0", "_off", "_false")
 # A branch and its side, or ~ the entry of what begins by itself.
 Guard = tuple[int, bool]
 
@@ -210,10 +212,10 @@ class Reasons:
     def ends(self, at: int) -> list[Reason]:
         """Return what the program waits for behind a statement until it moves an axis, or what else ends its step.
 
-        What an output shows ends where it is written again.
+        What an output shows ends where it is switched off.
         """
         found, stack = list[Reason](), [self._first[at]]
-        shown = _written(self._structure.statements[at])
+        shown = {use.number for use in self._structure.statements[at].channels if use.channel == "output"}
         guards = self._guards[self._first[at]]
         guard = self._statement(guards[0][0]) if guards else None
         for _ in range(MAX_POINTS):
@@ -221,7 +223,7 @@ class Reasons:
             statement = self._statement(p)
             if p < 0 or (statement is not None and statement.moves):
                 break
-            if statement is not None and statement.at != at and shown & _written(statement):
+            if statement is not None and shown & _switched_off(statement):
                 break
             point, following = self._structure.points[p], self._structure.points[p].next[-1:]
             if statement is not None and statement.condition and p == self._waits.get(p):
@@ -322,9 +324,10 @@ class Reasons:
             return self._compared(compared[1], sign, compared[3], q, statement)
         form = _condition(statement)
         made = self._tree(form, side, q, statement) if len(form) < MAX_LENGTH else []
-        if len(made) == 1 and made[0].rank in (DIRECT, COUNTED):
-            add = self._time_before if made[0].rank == DIRECT else self._lacking_before
-            return [made[0]._replace(words=made[0].words + add(q, statement, made[0].words))]
+        if len(made) == 1 and made[0].rank == DIRECT:
+            return [made[0]._replace(words=made[0].words + self._time_before(q, statement, made[0].words))]
+        if len(made) == 1 and made[0].rank == COUNTED:
+            return [made[0]._replace(words=made[0].words + self._lacking_before(q, made[0].words))]
         return made or [_quoted(statement, side)]
 
     def _compared(self, subject: str, sign: str, right: str, q: int, statement: Statement) -> list[Reason]:
@@ -345,17 +348,16 @@ class Reasons:
             Reason(raw, statement.line, COUNTED)
         ]
 
-    def _lacking_before(self, q: int, _: Statement, words: str) -> str:
+    def _lacking_before(self, q: int, words: str) -> str:
         """Return what would have ended the wait before a test of its time, "" if there is none."""
         p = self._waits.get(q, q)
         wait = self._statement(p)
-        made = (
-            self._tree(_condition(wait), True, p, wait) if p != q and wait is not None and wait.waits else []
-        )
+        if p == q or wait is None or not wait.waits:
+            return ""
+        made = self._tree(_condition(wait), True, p, wait)
         others = [each.words for each in made if each.rank == DIRECT]
-        return (
-            f" without {' or '.join(others)}" if others and any(each.words == words for each in made) else ""
-        )
+        is_timed = any(each.words == words for each in made)
+        return f" without {' or '.join(others)}" if others and is_timed else ""
 
     def _time_before(self, q: int, statement: Statement, words: str) -> str:
         """Return the time in the wait before a test of the same channels, "" if there is none."""
@@ -545,9 +547,10 @@ class Reasons:
         return f"{self._names[subject]} {_COMPARISONS[sign][0]} {shown}"
 
 
-def _written(statement: Statement) -> set[str]:
-    """Return the outputs that a statement writes, by their numbers."""
-    return {use.number for use in statement.channels if (use.channel, use.access) == ("output", WRITE)}
+def _switched_off(statement: Statement) -> set[str]:
+    """Return the outputs that a statement switches off, by their numbers."""
+    written = (use for use in statement.channels if (use.channel, use.access) == ("output", WRITE))
+    return {use.number for use in written if use.value.lower() in OFF}
 
 
 def _condition(statement: Statement) -> str:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang.kernel.lang import Named
 from motionlang_explore.exploration import is_wrong
+from motionlang_explore.exploration.words import alarms_in
 
 WRONG = """\
 mark out of register,  99.2 mm
@@ -68,3 +70,9 @@ def test_wrong(text: str) -> None:
 @pytest.mark.parametrize("text", RIGHT.splitlines())
 def test_right(text: str) -> None:
     assert not is_wrong(text)
+
+
+def test_a_horn_that_a_sensor_watches_is_no_alarm() -> None:
+    horn, sensor = Named("channel", 42, "Horn", 4), Named("channel", 36, "Horn unten", 3)
+    assert 42 in alarms_in([horn])
+    assert not alarms_in([horn, sensor])

@@ -180,6 +180,29 @@ def test_the_map_as_text(program: Cell) -> None:
     assert [line.rstrip() for line in ran.out.splitlines()] == SHOWN.splitlines()
 
 
+def test_what_follows_an_output_does_not_start_the_cycle(cell: Cell) -> None:
+    cell.write(
+        "a.mnt",
+        """\
+' IN 1 start   2 clamped
+' OUT 1 clamp
+Loop
+  Pause INX(1)
+  OUTX(1) = 1
+  Pause INX(2)
+  MOVEA(0) = 10 : GO(0) : Pause IDLE(0)
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  OUTX(1) = 0
+  Pause INX(2) = 0
+  Pause INX(1) = 0
+End Loop
+""",
+    )
+    shown = cell("map", "a.mnt", "--all").out.splitlines()
+    started = "  input 1 (start) on starts the cycle; input 2 (clamped) follows an output or an axis"
+    assert started in shown
+
+
 def test_the_first_screen_has_the_cycle_its_start_and_its_alarms(cell: Cell) -> None:
     cell.write("a.mnt", ALARM)
     shown = cell("map", "a.mnt").out.splitlines()

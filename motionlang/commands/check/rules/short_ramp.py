@@ -5,16 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from motionlang.commands.check.rule import Rule, RuleCase, Warn
-from motionlang.kernel.mint.resolve.short_ramps import short_ramps
+from motionlang.kernel.mint.resolve.short_ramps import UPDATE, USUAL, short_ramps
 
 if TYPE_CHECKING:
     from motionlang.commands.check.mccl.mccl_facts import MacroFacts
     from motionlang.commands.check.mint.mint_facts import MintFacts
     from motionlang.kernel.lang import AxisKey as Key
-
-# One trajectory update, s, and the ramp that a hint suggests instead.
-_UPDATE = 1e-3
-_USUAL = 0.2
 
 
 def check_mint(facts: MintFacts, warn: Warn) -> None:
@@ -32,10 +28,10 @@ def check_mccl(facts: MacroFacts, warn: Warn) -> None:
         speed, rate = speeds.get(act.axes[0]), act.number(0)
         if speed is None or not rate or None in known:
             continue
-        if 0.0 < speed / rate < _UPDATE:
+        if 0.0 < speed / rate < UPDATE:
             ramp = f"a ramp of {speed / rate * 1e3:.3g} ms to SV{speed:.10g}"
             message = f"{ramp} is shorter than one trajectory update, 1 ms"
-            warn(message, act.at, f"for a ramp of {_USUAL * 1e3:.0f} ms write {speed / _USUAL:.10g}")
+            warn(message, act.at, f"for a ramp of {USUAL * 1e3:.0f} ms write {speed / USUAL:.10g}")
 
 
 RULE = Rule(
