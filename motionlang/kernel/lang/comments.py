@@ -41,9 +41,9 @@ _ALONE = r"(?:(?<=[(\[])|(?=.[\d:]))"
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
     "input": r"d?i|x(?=\d)|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
-    rf"|{_ALONE}e|eing(?:ang|änge)?|entr[ée]es?|entradas?|ingress[oi]|ingang(?:en)?|{_SENSORS}",
+    rf"|{_ALONE}e|eing(?:ang|änge)?|ent(?:r(?:[ée]es?|adas?)?)?|ing(?:r(?:ess[oi])?|ang(?:en)?)?|{_SENSORS}",
     "output": r"d?[oq]|[uy](?=\d)|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
-    rf"|{_ALONE}s|ausg(?:ang|änge)?|sorties?|salidas?|uscit[ae]|uitgang(?:en)?|{_ACTUATORS}",
+    rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|usc(?:it[ae])?|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|kanaa?l|canale?|i/o",
     "analogue input": rf"a/?dc?|ai|ai?n|ana|canale analogico|{_ALONE}a|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
