@@ -100,7 +100,7 @@ class PlayedWay(NamedTuple):
     number, in counts and user units. `stays` are the times of the rests of the machine, `changed` is when the world
     changed last. `begun` are the source offsets of the statements that began, `outcomes` those of the conditions that
     came out, with their numbers and how, `order` those of each task in the order in which they first began behind the
-    last change. `changes` are the times of all changes.
+    last change, with that time. `changes` are the times of all changes.
     """
 
     acts: Mapping[str, Sequence[ComparedAct]]
@@ -112,7 +112,7 @@ class PlayedWay(NamedTuple):
     changed: float
     begun: Set[int]
     outcomes: Set[tuple[int, int, bool]]
-    order: Mapping[str, Sequence[int]]
+    order: Mapping[str, Mapping[int, float]]
     changes: Sequence[float] = ()
 
     @property

@@ -9,6 +9,9 @@ true and false there; and of what it computes something must show. In a way in w
 same statements, or others of the same forms, in the same order, all values were equal. In any other way a difference
 must show, or the changed statements in it are named.
 
+A way that carries out no changed statement in one program, nor one behind which the other leads elsewhere, is the same
+in the other by its text.
+
 Cost. Linear in the statements, but for the alignment.
 """
 
@@ -18,12 +21,14 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from itertools import chain
+from math import inf
 
 from motionlang.comparison.acts import ComparedActs, PlayedWay
 from motionlang.comparison.align import aligned
 from motionlang.kernel import Program
 from motionlang.kernel.lang import ACTS, NAME, PRINTS, STARTS, UNTIL, Uses
 from motionlang_explore.cover import coverage
+from motionlang_explore.exploration import Trial
 
 _NAMES = re.compile(rf"{NAME}\w+")
 # An assignment to a variable.
@@ -32,6 +37,8 @@ _ASSIGNS = re.compile(rf"{NAME}\w+ = ")
 _FORMATS = re.compile(r"(?<=PrintItem )\S* \([^()]*\)")
 # A statement in a comparison: the number of its pair, or its form.
 Key = int | str
+# The handler that may ask for the line of an error, which no form has.
+_ON_ERROR = "event onerror"
 # The kinds of units that run beside each other, and any variable.
 _STARTED, _ANY = ("program", "task", "event"), -(10**9)
 # Leads to a statement that has changed itself.
@@ -64,6 +71,10 @@ class ChangedProgram:
         tests = {at for at, each in statements.items() if each.condition and at not in offsets}
         self._played = self._offsets | tests
         self.changed: set[int] = set()
+        # The statements behind which the other program leads elsewhere. If the two are not `alike` but for statements
+        # that a run carries out, they may part anywhere.
+        self.parting: set[int] = set()
+        self.is_alike = True
         # Those of them that print the same values in another format, which the text shows whenever they print.
         self.formats: set[int] = set()
         # The statements that began in the ways so far, and how conditions came out there.
@@ -167,13 +178,27 @@ class ChangedProgram:
         """Return the forms of the changed statements that print, without their formats."""
         return {at: _FORMATS.sub("", self.forms[at]) for at in self._values}
 
+    def is_untouched(self, played: PlayedWay | Trial) -> bool:
+        """True if a way that was played in this program alone is the same in the other one by its text."""
+        return self.is_alike and _carried_out(played).isdisjoint(self.parting | self.changed)
+
+    def parts_at(self, played: PlayedWay) -> float:
+        """Return until when a way, recorded from its start, is the same in the other program by its text, s."""
+        touched = self.parting | self.changed
+        if not self.is_alike or not touched.isdisjoint(_carried_out(played) - played.begun):
+            return 0.0
+        return min(
+            (time for some in played.order.values() for at, time in some.items() if at in touched),
+            default=inf,
+        )
+
     def note(self, played: PlayedWay, is_usual: bool, undecided: Set[int], differs: bool) -> None:
         """Take note of a way.
 
         `is_usual` is True if both programs have carried out the same in the same order. `undecided` are the lines of
         acts that the end of the way may have cut off in one of them.
         """
-        begun = played.begun | {at for at, _, _ in played.outcomes}
+        begun = _carried_out(played)
         self.begun |= begun
         self.outcomes |= played.outcomes
         self._is_shown |= differs
@@ -186,7 +211,7 @@ class ChangedProgram:
 
     def acted(self, played: PlayedWay) -> tuple[set[Key], dict[str, list[Key]]]:
         """Return what acted in a way, or printed changed values, and for each task the order in which it began."""
-        begun = played.begun | {at for at, _, _ in played.outcomes}
+        begun = _carried_out(played)
         keys = {at: self.pairs.get(at, self.forms[at]) for at in begun if at in self.forms}
         acts = {at for at in keys if self._effect(at) == ACTS or at in self._values}
         order = {task: [keys[at] for at in some if at in acts] for task, some in played.order.items()}
@@ -201,6 +226,26 @@ class ChangedProgram:
                 found.setdefault(point.at, []).extend(
                     pairs.get(at, _CHANGED) for at in self._next(p) if at != point.at
                 )
+        return found
+
+    @property
+    def is_played(self) -> bool:
+        """True if all that has changed are statements that a run carries out, or that show in such statements."""
+        tests = {at for at, each in self.structure.statements.items() if each.condition}
+        others = self.changed - tests.union(self.program.offsets)
+        return (
+            not self.changed_heads
+            and not self.changed_starts
+            and all(self._effect(at) != ACTS for at in others)
+        )
+
+    def beginnings(self) -> dict[str, list[int]]:
+        """Return the statements with which what runs beside the rest, or a macro, begins, by a name for it."""
+        points, found = self.structure.points, dict[str, list[int]]()
+        for k, unit in enumerate(each for each in self.structure.units if each.kind in (*_STARTED, "macro")):
+            at = points[unit.entry].at
+            name = unit.head or (unit.name if unit.kind == "macro" else str(k))
+            found[f"{unit.kind} {name}"] = [at] if at in self._offsets else [*self._next(unit.entry)]
         return found
 
     def _next(self, p: int) -> Iterator[int]:
@@ -249,10 +294,45 @@ def changed_programs(a: Program, b: Program) -> tuple[ChangedProgram, ChangedPro
     leads = first.following(numbers[0]), second.following(numbers[1])
     for at, other_at in pairs:
         here, there = leads[0].get(at, []), leads[1].get(other_at, [])
+        if here != there:
+            first.parting.add(at)
+            second.parting.add(other_at)
         if here != there and _CHANGED not in (*here, *there):
             first.changed.add(at)
             second.changed.add(other_at)
+    first.is_alike = second.is_alike = _begin_alike(first, second)
     return first, second
+
+
+def _begin_alike(a: ChangedProgram, b: ChangedProgram) -> bool:
+    """True if two programs differ only in statements that a run carries out; note what begins with others."""
+    begins, programs = (a.beginnings(), b.beginnings()), (a.program, b.program)
+    is_moved = any(
+        a.structure.line(at) != b.structure.line(other) for at, other in zip(a.pairs, b.pairs, strict=True)
+    )
+    for name in begins[0].keys() & begins[1].keys():
+        first, second = (
+            [text.pairs.get(at, _CHANGED) for at in each[name]]
+            for text, each in zip((a, b), begins, strict=True)
+        )
+        if first != second or (is_moved and name == _ON_ERROR):
+            a.parting.update(begins[0][name])
+            b.parting.update(begins[1][name])
+    one, other = ((each.language, each.target.model, each.values) for each in programs)
+    return one == other and begins[0].keys() == begins[1].keys() and a.is_played and b.is_played
+
+
+def _carried_out(played: PlayedWay | Trial) -> Set[int]:
+    """Return the statements that began in a way, or whose conditions came out."""
+    return played.begun | {at for at, _, _ in played.outcomes}
+
+
+def note_untouched(texts: tuple[ChangedProgram, ChangedProgram], side: int, played: PlayedWay) -> None:
+    """Take note of a way that was played in one of two programs, the first or the second, and touches no change."""
+    begun = _carried_out(played)
+    numbers = {texts[side].pairs[at] for at in begun if at in texts[side].pairs}
+    texts[side].begun |= begun
+    texts[1 - side].begun |= {at for at, number in texts[1 - side].pairs.items() if number in numbers}
 
 
 def note_played(

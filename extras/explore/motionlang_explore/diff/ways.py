@@ -8,7 +8,8 @@ both, and what they do is compared (`acts.py`).
 
 If B does something later, a change that A has answered would come too early. So where anything differs, the way is
 played in B again with each change as long after B rests as it came after A rested. If no act differs then, the two
-differ in time alone.
+differ in time alone. A way that touches no change in the one that is played first is the same in the other by its text,
+and is not played there.
 
 A way that could tell of a change must have been played. Where a changed statement has not been carried out
 (`changed.py`), or nothing that was played depends on it, the programs are played in more worlds: with long and short
@@ -42,7 +43,7 @@ from motionlang.comparison.acts import (
 from motionlang.kernel import Run, Source
 from motionlang.kernel.lang import Structure
 from motionlang.kernel.tools import total
-from motionlang_explore.diff.changed import changed_programs, note_played
+from motionlang_explore.diff.changed import ChangedProgram, changed_programs, note_played, note_untouched
 from motionlang_explore.exploration import (
     HORIZON,
     LENGTH,
@@ -145,8 +146,9 @@ class WaysCompared:
     `differences` are those that are the first one of some way; `behind` are those that only follow another one in each
     way that shows them, and may be a consequence of it.
 
-    `same`, `differ`, `later` and `only` count the ways: those in which B only does the same at another time, and those
-    that exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
+    `untouched`, `equal`, `differ`, `timed` and `only` count the ways: those that are the same by their text, since they
+    touch no change, those in which B does the same, something else, or only the same at another time, and those that
+    exist in one program alone, "A" or "B". `unreached` are the lines of each program that no way has reached,
     `partial` those of which only a part was.
     `left` are the ways that were not compared. Of the changed statements, `uncompared` are the lines that no way has
     carried out, `one_sided` the conditions that have not come out both ways, with the outcome that is missing, and
@@ -155,7 +157,7 @@ class WaysCompared:
 
     a: Exploration
     b: Exploration
-    played: int = 0
+    untouched: int = 0
     equal: int = 0
     differ: int = 0
     timed: int = 0
@@ -172,6 +174,11 @@ class WaysCompared:
     left: list[Way] = field(default_factory=list)
 
     @property
+    def count(self) -> int:
+        """The number of the ways that were compared."""
+        return self.untouched + self.equal + self.differ + self.timed + self.only["A"] + self.only["B"]
+
+    @property
     def same(self) -> bool:
         """True if nothing differs, and what was played could have told.
 
@@ -183,16 +190,24 @@ class WaysCompared:
 
 
 class Player:
-    """An explored program, its ways, and what it does in one; `names` are those of its tasks in a comparison."""
+    """An explored program, its ways, and what it does in one.
+
+    `text` has its statements, and `names` those of its tasks, in a comparison with another one.
+    """
+
+    text: ChangedProgram
+    names: Mapping[str, str]
 
     def __init__(self, exploration: Exploration) -> None:
         self.exploration = exploration
-        self.names: Mapping[str, str] = {}
         self._owners = exploration.program.structure.owners(with_handlers=True)
         exploration.observe()
 
-    def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
-        """Yield the timelines of what leads on, or was tried, from each state, and those of the cycles."""
+    def ways(self, full: dict[object, Timeline]) -> Iterator[tuple[Timeline, MachineCycle | None]]:
+        """Yield the timelines of what leads on, or was tried, from each state, and those of the cycles.
+
+        `full` are those of cycles that touch no change until they are full, so that both programs share them.
+        """
         yield (), None
         for node in self.exploration.nodes:
             for each in node.transitions:
@@ -203,13 +218,23 @@ class Player:
                 yield node.first.changed(causes), None
         begun = self.exploration.work
         for cycle in [each for each in self.exploration.cycles if each.work][:CYCLES]:
-            yield until_full(self.exploration, cycle), cycle
+            yield self._until_full(cycle, full), cycle
             if self.exploration.work - begun > CYCLE_WORK:
                 break
         for cycle in self._detours():
             if self.exploration.work - begun > CYCLE_WORK:
                 break
-            yield until_full(self.exploration, cycle), cycle
+            yield self._until_full(cycle, full), cycle
+
+    def _until_full(self, cycle: MachineCycle, full: dict[object, Timeline]) -> Timeline:
+        changes = tuple(each.causes for each in cycle.transitions)
+        key = cycle.visit.timeline, cycle.visit.change_time, changes
+        if key in full:
+            return full[key]
+        trial = until_full(self.exploration, cycle)
+        if self.text.is_untouched(trial):
+            full[key] = trial.timeline
+        return trial.timeline
 
     def _detours(self) -> Iterator[MachineCycle]:
         """Yield the likeliest cycle behind each transition that returns to it, such as a reject or an alarm."""
@@ -267,7 +292,10 @@ def played_way(played: PlayedTimeline, line: Callable[[int], int], owner: Callab
     changed = max(
         (each.levels(at)[-1][0] if each.moment.every else at for at, each in trial.timeline), default=0.0
     )
-    order = {task: list(dict.fromkeys(each.at for each in some)) for task, some in trial.statements.items()}
+    order: dict[str, dict[int, float]] = defaultdict(dict)
+    for task, begun in trial.statements.items():
+        for one in begun:
+            order[task].setdefault(one.at, one.time)
     changes = [at for at, _ in trial.timeline]
     return PlayedWay(
         dict(acts),
@@ -311,6 +339,9 @@ def compared_ways(
         if missing:
             one.give(missing)
     first.names, second.names = _task_names(a.program.structure, b.program.structure)
+    first.text, second.text = changed_programs(a.program, b.program)
+    if a.settings != b.settings:
+        first.text.is_alike = second.text.is_alike = False
     begun = a.work + b.work
     found = WaysCompared(a, b)
     for one in (a, b):
@@ -385,8 +416,9 @@ def all_ways(a: Player, b: Player) -> list[Way]:
     Ways with the same changes before the last ones follow each other, since they go on from one start.
     """
     found: dict[Timeline, Way] = {}
+    full: dict[object, Timeline] = {}
     for name, player in (("A", a), ("B", b)):
-        for timeline, cycle in player.ways():
+        for timeline, cycle in player.ways(full):
             timeline = tuple(sorted(timeline, key=itemgetter(0)))
             way = found.setdefault(timeline, Way(timeline, name, cycle))
             way.cycle = way.cycle or cycle
@@ -397,13 +429,13 @@ def all_ways(a: Player, b: Player) -> list[Way]:
     return [*cycles[:1], *short, *cycles[1:]]
 
 
-def until_full(one: Exploration, cycle: MachineCycle) -> Timeline:
-    """Return the timeline of a cycle that is played some times, and until what the program counts to is full."""
+def until_full(one: Exploration, cycle: MachineCycle) -> Trial:
+    """Return the trial of a cycle that is played some times, and until what the program counts to is full."""
     trial = one.turns(cycle, TIMES)
     times = max(MAX_TIMES if _goes_on(one.last, cycle) else TIMES, _times_to_full(trial))
     if times > TIMES:
         trial = one.turns(cycle, times)
-    return trial.timeline
+    return trial
 
 
 def _goes_on(run: Run, cycle: MachineCycle) -> bool:
@@ -445,18 +477,23 @@ class _Comparison:
         self._first: dict[object, FoundDifference] = {}
         self._behind: dict[object, FoundDifference] = {}
         self._later: dict[object, FoundLater] = {}
-        self._texts = changed_programs(a.exploration.program, b.exploration.program)
+        self._texts = a.text, b.text
         self._cycles: set[frozenset[int]] = set()
 
     def take(self, way: Way) -> None:
-        """Play a way in both programs, and take note of what differs."""
+        """Play a way in both programs, unless it is the same by its text, and take note of what differs."""
+        last = way.timeline[-1][0] if way.timeline and not way.pace else 0.0
+        side = 0 if "A" in way.of else 1
+        first = self._played(way, last, side)
+        if self._texts[side].is_untouched(first):
+            self.found.untouched += 1
+            note_untouched(self._texts, side, first)
+            return
+        second = self._played(way, last, 1 - side)
+        a, b = (second, first) if side else (first, second)
         if way.world is not None:
-            a, b = self.a.play_in(way.world), self.b.play_in(way.world)
             self._note(way, ((), ()), a, b, compared(a, b))
             return
-        last = way.timeline[-1][0] if way.timeline and not way.pace else 0.0
-        patience = LONG if way.pace == SLOW else HORIZON
-        a, b = (each.play(way.timeline, last, patience) for each in (self.a, self.b))
         timelines, result = (way.timeline, way.timeline), compared(a, b)
         if last > 0.0 and (result.differences or result.later):
             timelines, a, b = self._followed(way) or (timelines, a, b)
@@ -469,12 +506,17 @@ class _Comparison:
             result = compared(a, b)
         self._note(way, timelines, a, b, result)
 
+    def _played(self, way: Way, last: float, side: int) -> PlayedWay:
+        player = (self.a, self.b)[side]
+        if way.world is not None:
+            return player.play_in(way.world)
+        return player.play(way.timeline, last, LONG if way.pace == SLOW else HORIZON)
+
     def _note(
         self, way: Way, timelines: tuple[Timeline, Timeline], a: PlayedWay, b: PlayedWay, result: ComparedActs
     ) -> None:
         found = self.found
         note_played(self._texts, (a, b), result)
-        found.played += 1
         alone = self._alone(way, timelines, a, b)
         if result.differences and alone:
             found.only[alone] += 1
@@ -550,10 +592,11 @@ class _Comparison:
         """
         leader, follower = (self.a, self.b) if "A" in way.of else (self.b, self.a)
         lead = leader.play(way.timeline, 0.0, patience)
+        parts = leader.text.parts_at(lead)
         made: Timeline = ()
         before, since, late = 0.0, 0.0, 0.0
         for time, group in groupby(way.timeline, key=itemgetter(0)):
-            if time > 0.0:
+            if time > parts:
                 part = follower.play(made, since, patience)
                 moved = _moment(time, before, lead, part, late)
                 if moved is None:

@@ -60,14 +60,16 @@ def _more(some: Sequence[object], most: int) -> list[str]:
 
 def summary(found: WaysCompared) -> str:
     """Return how many ways were played, how many differ, and what none has reached."""
-    parts = [f"{found.equal} the same"]
+    parts = [f"{found.untouched} the same by their text"] if found.untouched else []
+    parts += [f"{found.equal} played in both the same"] if found.equal else []
+    parts = parts or ["0 the same"]
     parts += [f"{found.differ} {_verb(found.differ, 'differ')}"] if found.differ else []
     parts += [f"{found.timed} {_verb(found.timed, 'differ')} in time alone"] if found.timed else []
     parts += [
         f"{count} {_verb(count, 'exist')} only in {side}" for side, count in found.only.items() if count
     ]
     limits = f"cycles {TIMES} to {MAX_TIMES} times, times to {1000 * WITHIN:.10g} ms"
-    text = f"{count_of(found.played, 'way')} played in both ({limits}): {', '.join(parts)}"
+    text = f"{count_of(found.count, 'way')} ({limits}): {', '.join(parts)}"
     for words, lines in (("not reached", found.unreached), ("reached only in part", found.partial)):
         a, b = (lines[side] for side in "AB")
         where = f"{words} in either" if a == b else words
@@ -194,7 +196,8 @@ def ways_document(found: WaysCompared, names: Names) -> Document:
         "equal": found.same,
         "summary": summary(found),
         "not_compared": "; ".join(unproved(found)),
-        "played": found.played,
+        "ways": found.count,
+        "untouched": found.untouched,
         "same": found.equal,
         "differ": found.differ,
         "timed": found.timed,

@@ -110,7 +110,7 @@ def played_ways(
         f"{way_words(Way(way, 'A'), names)}: {reason}" for reason, way in reasons.items() if reason
     ]
     verdict = "some differ" if any(texts.values()) else "the same but for time"
-    summary = f"{count_of(found.played, 'way')} played with the edits, too: {verdict}"
+    summary = f"{count_of(found.count, 'way')} played with the edits, too: {verdict}"
     left = [not_compared(found, explored=""), "" if a.is_whole else "what the exploration had not found"]
     if any(left):
         summary = f"{summary}; not compared: {', '.join(filter(None, left))}"

@@ -48,10 +48,11 @@ class Original(Player):
 
     def __init__(self, exploration: Exploration) -> None:
         super().__init__(exploration)
-        self._ways = list(super().ways())
+        self._ways: list[tuple[Timeline, MachineCycle | None]] = []
         self._played: dict[tuple[object, ...], PlayedWay] = {}
 
-    def ways(self) -> Iterator[tuple[Timeline, MachineCycle | None]]:
+    def ways(self, full: dict[object, Timeline]) -> Iterator[tuple[Timeline, MachineCycle | None]]:
+        self._ways = self._ways or list(super().ways(full))
         return iter(self._ways)
 
     def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedWay:
