@@ -90,8 +90,6 @@ class Command:
 
     title: ClassVar[str] = "options"
     epilog: ClassVar[str] = ""
-    # The summary of one of several commands that another package adds.
-    summary: ClassVar[str] = ""
     removed: ClassVar[Mapping[str, str]] = {}
     # The subcommands of a command that only leads to others, with their summaries.
     commands: ClassVar[Mapping[str, tuple[type[Command], str]]] = {}

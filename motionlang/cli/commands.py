@@ -124,11 +124,13 @@ def _is_allowed(other: EntryPoint) -> bool:
 
 
 def _summary(other: EntryPoint, others: Iterable[EntryPoint]) -> str:
-    """Return the summary of a command: that of its distribution, or of its class if the distribution has several."""
+    """Return the summary of a command: that of its distribution, or in its package if the distribution has several."""
+    if other.name in COMMANDS:
+        return COMMANDS[other.name][1]
     name, own = other.dist.name if other.dist else other.module, ""
     if len([each for each in others if each.dist is not None and each.dist.name == name]) > 1:
         with suppress(Exception):  # it is reported when the command is typed
-            own = other.load().summary
+            own = import_module(other.module.partition(".")[0]).SUMMARIES[other.name]
     about = str(other.dist.metadata.json.get("summary", "")) if other.dist else ""
     return own or as_hint(about) or f"a command of {name}"
 

@@ -70,15 +70,14 @@ def test_an_entry_point_without_a_command(
 
 LENGTHS = """\
 from dataclasses import dataclass
-from typing import ClassVar
 
 from motionlang.cli.command import Command
+
+SUMMARIES = {"minutes": "print the minutes of a program"}
 
 
 @dataclass
 class Minutes(Command):
-    summary: ClassVar[str] = "print the minutes of a program"
-
     def run(self) -> int:
         return 0
 

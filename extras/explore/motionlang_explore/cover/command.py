@@ -35,7 +35,6 @@ from motionlang_explore.scenario_text import write_scenario
 class Cover(OutputOptions, Jobs, Language):
     """Show which statements and conditions of programs their runs reach."""
 
-    summary: ClassVar[str] = "show which statements and conditions of programs their runs reach"
     title: ClassVar[str] = "coverage"
     epilog: ClassVar[str] = f"""\
 Each program runs in its own world, that of the machine file next to it, and in

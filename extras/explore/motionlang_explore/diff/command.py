@@ -25,7 +25,6 @@ from motionlang_explore.playing import explored_program, played_lines, playing, 
 class DiffInAllWays(Diff):
     """Compare two runs: programs, values or machines, in one world or in all ways."""
 
-    summary: ClassVar[str] = "compare two programs, values or machines"
     title: ClassVar[str] = "all ways"
     epilog: ClassVar[str] = f"""\
 {Diff.epilog}  motionlang diff old/pick.prg pick.mnt --explore    in all ways of either

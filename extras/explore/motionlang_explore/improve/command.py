@@ -54,7 +54,6 @@ def cycle(text: str) -> str:
 class Improve(OutputOptions, shared.WorldOptions, ProgramOptions):
     """Find a shorter cycle within the limits of the machine."""
 
-    summary: ClassVar[str] = "find a shorter cycle within the limits of the machine"
     title: ClassVar[str] = "improvement"
     epilog: ClassVar[str] = """\
 Changed are the numbers that set speeds, rates and jerks of

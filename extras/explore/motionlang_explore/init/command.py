@@ -61,7 +61,6 @@ Answer = TypeVar("Answer")
 class Init(OutputOptions, Language):
     """Write a first machine file for a program, mark the guesses, and run it."""
 
-    summary: ClassVar[str] = "write a first machine file for a program, and run it"
     title: ClassVar[str] = "program"
     epilog: ClassVar[str] = f"""\
 init plays the program: where it waits, each input, key, answer, analogue

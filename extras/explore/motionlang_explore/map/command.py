@@ -26,7 +26,6 @@ from motionlang_explore.playing import play_time, played_lines, playing, seconds
 class Map(OutputOptions, ProgramOptions):
     """Show what a machine does: its cycle, states, channels and axes."""
 
-    summary: ClassVar[str] = "show what a program does: channels, axes, structure, states"
     title: ClassVar[str] = "map"
     epilog: ClassVar[str] = f"""\
 map plays the program: where it waits, each input, key, answer, analogue level

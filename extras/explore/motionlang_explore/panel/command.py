@@ -23,7 +23,6 @@ from motionlang_explore.panel.roles import roles_of
 class PanelCommand(Prepared):
     """Operate the machine of a program in a browser."""
 
-    summary: ClassVar[str] = "operate the machine of a program in a browser"
     title: ClassVar[str] = "page"
     epilog: ClassVar[str] = """\
 The page has a switch for each input, a lamp for each output, a bar for each
