@@ -50,8 +50,11 @@ from motionlang_explore.exploration.world import PULSES, WRITES, FoundWorld, wor
 from motionlang_explore.identification import Entry, place
 
 # So much of the work of an exploration simple worlds may take where a good one was found, in so many runs each time, of
-# this length, s. They have a share of their own, and those that names suggest may take so much.
-GOOD, OWN, LIKELY, TRIES, LENGTH = 0.2, 0.15, 0.6, 250, 60.0
+# this length, s. They have a share of their own, a larger one where none was found, and those that names suggest may
+# take so much.
+GOOD, OWN, SEARCHED, LIKELY, TRIES, LENGTH = 0.2, 0.15, 0.3, 0.6, 250, 60.0
+# A run that stands still ends at this time, s.
+STANDS = 20.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
 LITTLE, OTHERS, MORE = 0.4, 2, 1.0
@@ -109,11 +112,14 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     It is the world of another cycle that carries out what this one does not, or a simple one.
     """
     # The search may have left no work.
-    explorer.whole = max(explorer.whole, explorer.trials.work + OWN * explorer.whole)
-    explorer.trials.limit = explorer.whole
+    work = explorer.trials.work
+    explorer.trials.limit = explorer.whole = max(explorer.whole, work + OWN * explorer.whole)
     first = _tried(explorer, found.settings)
+    if not first.is_good:
+        explorer.trials.limit = explorer.whole = max(explorer.whole, work + SEARCHED * explorer.whole)
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
-    first = _within_limits(explorer, channels, first, least)
+    if not first.stands:
+        first = _within_limits(explorer, channels, first, least)
     if first.is_good:
         listed = [each for each in channels if each in _listed(first.settings)]
         first = _climbed(explorer, listed, first, least, inf, GOOD)
@@ -366,8 +372,8 @@ def _does_work(explorer: Explorer, tried: Tried) -> bool:
 
 
 def _is_enough(tried: Tried) -> bool:
-    """True if a run does good work several times, or to the end of the program."""
-    return tried.is_good and (tried.times >= ENOUGH or tried.run.status == "ended")
+    """True if a run does good work several times, and does not stand then, or to the end of the program."""
+    return tried.is_good and not tried.stands and (tried.times >= ENOUGH or tried.run.status == "ended")
 
 
 def _pairs(explorer: Explorer, channels: Sequence[Channel]) -> list[tuple[Channel, ...]]:
@@ -394,16 +400,13 @@ def _channels(explorer: Explorer) -> list[Channel]:
 
 def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     """Return a run in a world with its worth; it works if it does something at least so often, or ends."""
-    run, begun, read = explorer.trials.run_in(settings, LENGTH)
+    run, begun, read = explorer.trials.run_in(settings, STANDS, LENGTH, stands=_stands)
     begun -= explorer.handlers
     right, faults = _acts(explorer, run)
     has_ended = run.status == "ended"
     # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
     done = min((count for (kind, _), count in right.items() if kind == MOVE), default=0)
-    log = run.machine.log
-    others = (each.time for some in (log.prints, log.outputs) for each in some)
-    last = max((each.start_time for each in log.moves), default=max(others, default=0.0))  # a lamp may blink
-    is_stuck = run.status == "fault" or (run.status == "until" and 2 * last < run.time)
+    is_stuck = run.status == "fault" or (run.status == "until" and _stands(run))
     trouble = min(_times(explorer, run, faults), default=run.time)
     if is_stuck or faults:
         read = {each: read[each] for each in sorted(read, key=partial(_last_read, read, trouble))}
@@ -412,7 +415,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
-    is_over = run.status == "until" and run.time < LENGTH
+    is_over = run.status == "until" and run.time < (STANDS if is_stuck else LENGTH)
     statements = explorer.program.structure.statements.values()
     is_motionless = not any(each.moves for each in statements)
     works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
@@ -430,6 +433,16 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     return Tried(
         settings, run, frozenset(begun), read, times, wrongs, share, round(value, 6), is_good, stands
     )
+
+
+def _stands(run: Run) -> bool:
+    """True if a run has done nothing for at least as long as it did something before, and no task pauses for a time."""
+    log, scheduler = run.machine.log, run.machine.scheduler
+    others = (each.time for some in (log.prints, log.outputs) for each in some)
+    last = max((each.start_time for each in log.moves), default=max(others, default=0.0))  # a lamp may blink
+    waits = [] if scheduler is None else [task.wait for task in scheduler.tasks if not task.done]
+    pauses = any(wait is not None and wait.cause == "time" and wait.due() > run.time + PUSH for wait in waits)
+    return 2 * last < run.time and not pauses
 
 
 def _listed(settings: Settings) -> set[Channel]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -396,9 +397,9 @@ class Trials:
         return _trial((), 0.0, self.last, recorder, self.base)
 
     def run_in(
-        self, tables: Mapping[str, object], until: float | None = None
+        self, tables: Mapping[str, object], *until: float, stands: Callable[[Run], bool] = lambda run: False
     ) -> tuple[Run, set[int], dict[Channel, list[ReadSpan]]]:
-        """Run the program with some tables of the machine file up to a time.
+        """Run the program with some tables of the machine file up to a time, or the first of some at which it `stands`.
 
         Without a time the run ends where that of a machine file does. Returns also what has begun, and when each
         channel was read, in the order in which they were read first.
@@ -406,7 +407,11 @@ class Trials:
         self.tell("a world")
         self.count += 1
         recorder = self._recorder(inf, is_plain=True)
-        result = self._run(tables, until, recorder)
+        result = self._run(tables, until[0] if until else None, recorder)
+        for before, time in pairwise(until):
+            if result.status != "until" or result.time < before or stands(result):
+                break
+            result = self._run_on(result.machine, time)
         self._note_work(recorder)
         begun = {each for each in recorder.seen if isinstance(each, int)}
         spans: dict[Channel, list[ReadSpan]] = defaultdict(list)

@@ -65,3 +65,18 @@ def test_a_later_start_is_reached_from_an_earlier_one() -> None:
     later = trials.play(timeline, 3.5)
     assert done(later, 3.5) == done(trials.play(timeline, 0.0), 3.5)
     assert all(each.end < inf for each in later.moves)
+
+
+def test_a_run_in_a_world_goes_on_to_the_last_time_unless_it_stands() -> None:
+    program = dialect("mint").program(Source("trial.mnt", PROGRAM), is_debug=True)
+    trials = Trials(program, {}, 100)
+    world = {"input": [{"channel": 1, "at": 0.4}]}
+    whole, *_ = trials.run_in(world, 30.0)
+    for stands, until in ((True, 10.0), (False, 30.0)):
+        run, begun, read = trials.run_in(
+            world, 10.0, 30.0, stands=[lambda run: False, lambda run: True][stands]
+        )
+        known = [(each.start_time, each.line) for each in whole.machine.log.moves if each.start_time <= until]
+        assert (run.time, [(each.start_time, each.line) for each in run.machine.log.moves]) == (until, known)
+        assert read["input", 1][-1].last > until - 1.0
+        assert begun
