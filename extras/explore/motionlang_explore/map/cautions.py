@@ -22,6 +22,7 @@ from motionlang_explore.exploration import (
     is_wrong,
     without_memory,
 )
+from motionlang_explore.map.ends import Ends
 from motionlang_explore.map.names import ReaderNames, is_alarm
 from motionlang_explore.map.reasons import MAX_REASONS, OFF, QUOTED, Reason, Reasons
 
@@ -142,10 +143,16 @@ def _alarms(
             why = "; ".join(f"{value}: {_by(known)}" for value, known in values.items())
             row[1].append(f"with {why}" if values else _by(causes))
             row[2].append(each)
+    ends = Ends(exploration)
     for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
-        ends = next(filter(None, (reasons.ends(each.at) for each in signs)), [])
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
-        back = f"; ends by {', then '.join(each.text for each in ends)}" if ends else ""
+        steps = () if played else ends.of(signs)
+        back = (
+            f"; ends by {', then '.join(' and '.join(map(names.of, step)) for step in steps)}"
+            if steps
+            else ""
+        )
+        back = "; what ends it was not played" if steps is None and not is_only_said else back
         why = max(whys, key=lambda text: text.startswith("with "))
         verb = (
             ("are printed" if len(told) > 1 else "is printed")

@@ -17,7 +17,7 @@ from functools import reduce
 from typing import NamedTuple
 
 from motionlang.commands.channels import CALL, given_numbers, parameters_of, with_number
-from motionlang.kernel.lang import READ, WRITE, ChannelUse, Statement, Structure
+from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges
 from motionlang_explore.map.names import ReaderNames
 
@@ -40,7 +40,7 @@ _TOKEN = re.compile(r"[()]|[^\s()]+")
 # So many guards of a point, reasons of one thing, reasons behind one another, and assignments of a name are followed.
 MAX_GUARDS, MAX_REASONS, MAX_DEPTH, MAX_SITES = 12, 6, 12, 100
 # So many points behind a statement are searched, and a longer condition is quoted.
-MAX_POINTS, MAX_LENGTH = 60, 400
+MAX_LENGTH = 400
 
 # What a reason is: a quotation, a time or a count, something behind a variable, a channel or a handler.
 QUOTED, COUNTED, THROUGH, DIRECT = range(4)
@@ -208,39 +208,6 @@ class Reasons:
             if value.isdecimal() and value != "0":
                 found[value] += self._of(p)
         return dict(sorted(found.items()))
-
-    def ends(self, at: int) -> list[Reason]:
-        """Return what the program waits for behind a statement until it moves an axis, or what else ends its step.
-
-        What an output shows ends where it is switched off.
-        """
-        found, stack = list[Reason](), [self._first[at]]
-        shown = {use.number for use in self._structure.statements[at].channels if use.channel == "output"}
-        guards = self._guards[self._first[at]]
-        guard = self._statement(guards[0][0]) if guards else None
-        for _ in range(MAX_POINTS):
-            p = stack.pop() if stack else -1
-            statement = self._statement(p)
-            if p < 0 or (statement is not None and statement.moves):
-                break
-            if statement is not None and shown & _switched_off(statement):
-                break
-            point, following = self._structure.points[p], self._structure.points[p].next[-1:]
-            if statement is not None and statement.condition and p == self._waits.get(p):
-                made = self._test(p, not self._is_loop(p))
-                found += [each for each in made if each.rank == DIRECT and each not in found]
-            elif (
-                statement is not None and point.branches
-            ):  # another value of what guards the statement is known
-                is_same = guard is not None and _NUMBER.sub("", statement.form) == _NUMBER.sub("", guard.form)
-                following = point.next[statement.form != guard.form :][:1] if guard and is_same else ()
-            stack += following if point.calls < 0 else (*following, point.calls)
-        tested = self._tested(guards)
-        for p, value in self._sites.get(tested[0], [])[:MAX_SITES] if not found else ():
-            outer = self._guards[p][0][0] if len(self._guards[p]) == 1 else -1
-            if value != tested[1] and outer >= 0 and self._tested(self._guards[outer]) == tested:
-                found += [each for each in self._of(p) if each.rank == DIRECT]
-        return found
 
     # --------------------------------------------------------------------------------------------------- reasons
 
@@ -545,12 +512,6 @@ class Reasons:
             shown = repr(chr(int(number))) if 32 < number < 127 else shown
             return f"key {shown}" if sign == "=" else f"key {_COMPARISONS[sign][0]} {shown}"
         return f"{self._names[subject]} {_COMPARISONS[sign][0]} {shown}"
-
-
-def _switched_off(statement: Statement) -> set[str]:
-    """Return the outputs that a statement switches off, by their numbers."""
-    written = (use for use in statement.channels if (use.channel, use.access) == ("output", WRITE))
-    return {use.number for use in written if use.value.lower() in OFF}
 
 
 def _condition(statement: Statement) -> str:

@@ -1,4 +1,4 @@
-"""What says that something is wrong, why it comes and what ends it, from the text of a program."""
+"""What says that something is wrong, why it comes by the text of a program, and what was played that ends it."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ Loop
     OUTX(5) = 1
     Print "alarm "; nAlarm
     Pause COMMS(1) = 3 And INX(1) = 0
-    nAlarm = 0
+    nAlarm = 0 : OUTX(5) = 0
   ElseIf INX(3) Then
     MOVER(0) = 10 : GO(0) : Pause IDLE(0)
     t = 0
@@ -195,14 +195,14 @@ RETURN
             "a.prg",
             STEPS,
             [
-                "'FILTER NOT CLEAN' comes after 4001 times input 3 (label on pad) on, line 16 (not "
-                "played); ends by input 3 (label on pad) off, line 26",
+                "'FILTER NOT CLEAN' comes after 4001 times input 3 (label on pad) on, line 16 (not played)",
                 "output 2 (alarm horn) comes by input 7 (air on) off, line 5 or 3 times input 3 (label "
-                "on pad) off, line 16 and 2 s after line 13",
+                "on pad) off, line 16 and 2 s after line 13; ends by input 7 (air on) on, then input 6 "
+                "(reset left) on, then input 5 (reset right) on",
                 "'NO LABEL' comes after 3 times input 3 (label on pad) off, line 16 and 2 s after line "
-                "13; ends by input 6 (reset left) on, line 34, then input 5 (reset right) on, line 35",
-                "'AIR' is printed by input 7 (air on) off, line 5; ends by input 6 (reset left) on, line "
-                "34, then input 5 (reset right) on, line 35",
+                "13; ends by input 6 (reset left) on, then input 5 (reset right) on",
+                "'AIR' is printed by input 7 (air on) off, line 5; ends by input 7 (air on) on, then "
+                "input 6 (reset left) on, then input 5 (reset right) on",
             ],
             id="steps",
             marks=pytest.mark.slow,
@@ -213,8 +213,8 @@ RETURN
             [
                 "comms element 12 and output 5 (red lamp) and 'alarm ...' come with 1: by input 1 "
                 "(guard open) (event IN1), line 24; 2: by input 2 (air on) off, line 7; 3: by input 3 "
-                "(tray) on 0.5 s after line 15, line 17; ends by input 1 (guard open) off and comms "
-                "element 1 = 3, line 11",
+                "(tray) on 0.5 s after line 15, line 17; ends by input 2 (air on) on, then comms element 1 "
+                "= 3",
             ],
             id="numbers",
         ),
@@ -223,9 +223,9 @@ RETURN
             MACROS,
             [
                 "output 11 (fault lamp) and 'NO VACUUM' come by input 3 (vacuum ok) off, line 4 and "
-                "0.49 s in line 4; ends by input 5 (reset) on, line 6",
+                "0.49 s in line 4; ends by input 3 (vacuum ok) on, then input 5 (reset) on",
                 "'GATE NOT SHUT' comes by input 1 (gate shut) off, line 3; ends by input 1 (gate shut) "
-                "on, line 7",
+                "on and input 3 (vacuum ok) on",
             ],
             id="macros",
         ),
@@ -233,11 +233,10 @@ RETURN
             "a.mccl",
             CODES,
             [
-                "'NO SUGAR' comes by input 2 (sugar) off, line 3; ends by input 1 (run) off, line 7, then "
-                "input 1 (run) on, line 3",
+                "'NO SUGAR' comes by input 2 (sugar) off, line 3; ends by input 1 (run) off, then input "
+                "1 (run) on and input 2 (sugar) on",
                 "'WASTE' comes by analogue input 1 (force) above 6.8, line 3 or 3 times analogue input "
-                "1 (force) below 2, line 3; ends by input 1 (run) off, line 7, then input 1 (run) on, "
-                "line 3",
+                "1 (force) below 2, line 3; what ends it was not played",
             ],
             id="codes",
         ),
@@ -246,7 +245,7 @@ RETURN
             WAITS,
             [
                 "'HOOD OPEN' comes by input 3 (hood) (event IN3), line 26 and `POS(0) > 5`, line 9 (not "
-                "played); ends by input 0 (start) on, line 11",
+                "played)",
                 "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16",
                 "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24",
             ],
@@ -257,10 +256,8 @@ RETURN
             TIMES,
             [
                 "output 7 (red lamp) comes by input 2 (frame clamped) off, line 8 and 2 s after line 7; "
-                "ends by input 5 (reset) on, line 16",
-                "'PART STUCK' comes 1.5 s after line 20 without input 4 (part fallen) on; ends by input 1 "
-                "(pedal) off, line 25, then input 1 (pedal) on, line 6, then input 2 (frame clamped) on, "
-                "line 8",
+                "ends by input 5 (reset) on",
+                "'PART STUCK' comes 1.5 s after line 20 without input 4 (part fallen) on",
             ],
             id="times",
         ),

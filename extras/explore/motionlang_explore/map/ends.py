@@ -1,0 +1,204 @@
+"""What ends an alarm: it is played.
+
+At the rest behind an alarm all channels get the levels that they have where the good cycle begins, or what has led
+there is taken back. Then one channel after the other that is read at rest is changed, until the machine is in its cycle
+again, or where it comes on the way there from power-up, the outputs of the alarm are off, and it does not come again.
+Of these changes those are left out without which that happens as well.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict, deque
+from collections.abc import Collection, Iterator
+from math import inf
+from typing import NamedTuple
+
+from motionlang.kernel.lang import WRITE, Statement
+from motionlang_explore.exploration import (
+    Change,
+    Channel,
+    Exploration,
+    PlayedTimeline,
+    RestState,
+    Timeline,
+    Transition,
+    Visit,
+    without_memory,
+)
+
+# So many changes are tried for one alarm.
+MAX_TRIED = 30
+# The values with which an output is switched on.
+ON = ("1", "_on", "_true")
+# The changes of an end, in order; those of one step come together.
+Step = tuple[Change, ...]
+Steps = tuple[Step, ...]
+
+
+class _Reached(NamedTuple):
+    """What some steps have led to: the run, and the rest in which it stays, None if there is none."""
+
+    played: PlayedTimeline
+    visit: Visit | None
+
+
+class Ends:
+    """The ends of the alarms of an explored program."""
+
+    def __init__(self, exploration: Exploration) -> None:
+        self._exploration = exploration
+        self._nodes = {node.state: node for node in exploration.nodes}
+        # The levels, numbers and keys that lead on somewhere, by channel.
+        self._values: dict[Channel, dict[Change, None]] = defaultdict(dict)
+        for each in (one for node in exploration.nodes for way in node.transitions for one in way.causes):
+            self._values[each.channel][each] = None
+        cycle = exploration.world.cycle
+        self._good = {*cycle.states, *(each.source for each in self._way_to(cycle.states))} - {None}
+
+    def _way_to(self, states: Collection[RestState | None]) -> list[Transition]:
+        """Return the transitions from power-up to one of some states, on the way of the fewest."""
+        ways: dict[RestState | None, list[Transition]] = {None: []}
+        queue = deque[RestState | None]([None])
+        while queue:
+            here = queue.popleft()
+            if here in states:
+                return ways[here]
+            for each in self._nodes[here].transitions if here in self._nodes else ():
+                if each.target is not None and each.target not in ways:
+                    ways[each.target] = [*ways[here], each]
+                    queue.append(each.target)
+        return []
+
+    def of(self, signs: Collection[Statement]) -> Steps | None:
+        """Return the changes that end the alarm of some statements, none if it ends by itself.
+
+        None if nothing that was played has ended it.
+        """
+        alarm = _Alarm(self._exploration, signs, self._good)
+        ways = (
+            each for node in self._exploration.nodes for each in node.transitions if alarm.at & each.begun
+        )
+        first = min(ways, key=lambda each: (len(each.causes), len(each.visit.timeline)), default=None)
+        if first is None or first.target is None:
+            return ()
+        start = self._play(first.visit.changed(first.causes), first.visit.change_time)
+        alarm.begins(start.played, first)
+        if alarm.is_over(start.played):
+            return ()
+        tried, known = 0, set[object]()
+        queue = deque[tuple[Steps, _Reached]]([((), start)])
+        while queue:
+            steps, here = queue.popleft()
+            for step in dict.fromkeys(self._steps(here, alarm, is_first=not steps)):
+                tried += 1
+                reached = self._changed(here, step)
+                if alarm.is_over(reached.played):
+                    return self._needed(start, (*steps, step), alarm)
+                place = reached.visit and (reached.played.rests[-1].state, *reached.visit.levels.items())
+                if tried < MAX_TRIED and place is not None and place not in known:
+                    known.add(place)
+                    queue.append(((*steps, step), reached))
+        return None
+
+    def _play(self, timeline: Timeline, since: float) -> _Reached:
+        played = self._exploration.play(timeline, since)
+        last = played.rests[-1] if played.rests else None
+        if last is None or last.end < inf:
+            return _Reached(played, None)
+        return _Reached(played, Visit(timeline, max(last.begin, since), last.end, question=last.question))
+
+    def _changed(self, here: _Reached, step: Step) -> _Reached:
+        if here.visit is None or not step:
+            return here
+        return self._play(here.visit.changed(step), here.visit.change_time)
+
+    def _steps(self, here: _Reached, alarm: _Alarm, *, is_first: bool) -> Iterator[Step]:
+        """Yield what may be changed at a rest: what is not as in the cycle, what has led on, what it reads."""
+        if here.visit is None:
+            return
+        now = _levels(here.visit.timeline)
+        good = dict.fromkeys(now, 0.0) | alarm.levels
+        restored = tuple(
+            Change(*channel, level) for channel, level in good.items() if level != now.get(channel, 0.0)
+        )
+        yield from (each for each in (restored, alarm.undone) if is_first and each)
+        rest = here.played.rests[-1]
+        node = self._nodes.get(rest.state)
+        for each in node.transitions if node is not None else ():
+            if each.causes and not any(one.moment.line for one in each.causes):
+                yield each.causes
+        read = dict.fromkeys(channel for channels in rest.reads.values() for channel in channels)
+        for channel in read:
+            if channel[0] == "input":
+                yield (Change(*channel, 1.0 - now.get(channel, 0.0)),)
+            else:
+                yield from ((each,) for each in self._values.get(channel, ()))
+
+    def _needed(self, start: _Reached, steps: Steps, alarm: _Alarm) -> Steps:
+        """Return the steps of an end without the changes that it does not need."""
+        for k, step in enumerate(steps):
+            for change in step:
+                fewer = tuple(one for one in steps[k] if one != change)
+                less = (*steps[:k], fewer, *steps[k + 1 :])
+                here = start
+                for each in less:
+                    here = self._changed(here, each)
+                if alarm.is_over(here.played):
+                    steps = less
+        return tuple(filter(None, steps))
+
+
+class _Alarm:
+    """The statements and the outputs of an alarm, and the good states with the levels at the begin of the cycle."""
+
+    def __init__(
+        self, exploration: Exploration, signs: Collection[Statement], good: Collection[RestState | None]
+    ) -> None:
+        written = {each.at: [use for use in each.channels if use.access == WRITE] for each in signs}
+        # What writes a number for a host writes what is right, too.
+        self.at = {at for at, uses in written.items() if all(use.channel == "output" for use in uses)}
+        # What writes a value that it works out begins all the time.
+        self._said = {at for at in self.at if all(use.value.lower() in ON for use in written[at])}
+        outputs = (use.number for at in self.at for use in written[at])
+        self._outputs = {int(number) for number in outputs if number.isdecimal()}
+        self._cycle, self._good = exploration.world.cycle, good
+        self._places = set(map(without_memory, good))
+        self.levels = _levels(self._cycle.visit.timeline)
+        # What has led to the alarm, the other way round.
+        self.undone: Step = ()
+
+    def begins(self, played: PlayedTimeline, led: Transition) -> None:
+        """Take note of what has led to the alarm, and of the rest behind it.
+
+        At its place only what the program remembers tells a good state.
+        """
+        self._places -= {without_memory(each.state) for each in played.rests[-1:]}
+        self.undone = tuple(
+            Change("input", each.number, 1.0 - float(each.value))
+            for each in led.causes
+            if each.table == "input"
+        )
+
+    def is_over(self, played: PlayedTimeline) -> bool:
+        """True if the machine is in a good state behind the last change, and the alarm is over."""
+        trial, run, rests = played
+        on = {each.channel: each.value for each in run.machine.log.outputs}
+        if any(on.get(each) for each in self._outputs):
+            return False
+        said = (one.time for some in trial.statements.values() for one in some if one.at in self._said)
+        since = max((trial.since, *said))
+        if self._good:
+            states = (each.state for each in rests if each.begin >= since)
+            return any(each in self._good or without_memory(each) in self._places for each in states)
+        return any(each.line in self._cycle.work and each.begin >= since for each in trial.moves)
+
+
+def _levels(timeline: Timeline) -> dict[Channel, float]:
+    """Return the last levels of the inputs and analogue inputs of a timeline."""
+    found: dict[Channel, float] = {}
+    for at, each in timeline:
+        if each.table == "input":
+            found[each.channel] = each.levels(at)[-1][1]
+        elif each.table == "analogue":
+            found[each.channel] = float(each.value)
+    return found
