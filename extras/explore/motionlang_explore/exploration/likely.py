@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 
 from motionlang.kernel import Source
-from motionlang.kernel.lang import WRITE, Named, Structure
+from motionlang.kernel.lang import NAME, PRINTS, WRITE, Named, Structure
 from motionlang_explore.exploration.states import DELAY
 from motionlang_explore.exploration.words import (
     ABSENT,
@@ -24,6 +24,8 @@ from motionlang_explore.exploration.words import (
     RESET,
     SHOWN,
     STEADY,
+    is_right,
+    names_alarm,
 )
 from motionlang_explore.identification import Entry
 
@@ -40,6 +42,8 @@ _LEVELS = re.compile(
     r"\W{1,3}(?:([01]|low|high) *= *([^\W\d]+)|([^\W\d]+) *= *([01])\b)(?:\W{1,3}([01]|low|high) *= *([^\W\d]+))?",
     re.IGNORECASE,
 )
+# The names of a program in the form of a statement.
+_NAMES = re.compile(rf"{NAME}(\w+)")
 # Where a word of doorClosed or di_Door begins.
 _WORD = re.compile(r"(?<=[a-z])(?=[A-Z])|_")
 
@@ -63,9 +67,11 @@ class Likely:
         self._names: Mapping[tuple[str, int], str] = dict(names)
         self._before = _switched_before(structure, names)
         inputs = ((number, name) for (kind, number), name in names.items() if kind == "input")
-        # The statements of trouble, which a person resets; a button that starts as well has other pieces.
+        # The statements of trouble, which a person resets, or which print how much was bad, and those that print how
+        # much was good. A button that starts as well has other pieces.
         resets = {number for number, name in inputs if RESET.search(name) and "start" not in name.lower()}
-        self.trouble = _before_reset(structure, resets)
+        self.trouble = _before_reset(structure, resets).union(_counting(structure, names_alarm))
+        self.right = frozenset(_counting(structure, is_right))
 
     def rules(self, number: int, *, by_name: bool = True) -> list[Entry]:
         """Return the rules of an input that its name and the outputs before it suggest, which come first without."""
@@ -129,6 +135,14 @@ def _switched_before(
         elif each.moves:
             last.pop(unit, None)
     return {number: list(each) for number, each in found.items()}
+
+
+def _counting(structure: Structure, means: Callable[[str], bool]) -> Iterator[int]:
+    """Yield the statements that print numbers, all with names of the same meaning, such as `bad`."""
+    for at, each in structure.statements.items():
+        names = _NAMES.findall(each.form) if each.effect == PRINTS else ()
+        if names and all(means(_WORD.sub(" ", name)) for name in names):
+            yield at
 
 
 def _before_reset(structure: Structure, resets: Collection[int]) -> frozenset[int]:

@@ -578,7 +578,8 @@ def _acts(explorer: Explorer, run: Run) -> tuple[Counter[tuple[str, object]], Co
     for each in run.machine.log.prints:
         if each.at not in explorer.beside:
             text = without_figures(plain(each.text))
-            if each.at in trouble or wrong([each.text]) or (run.status != "ended" and is_wrong(each.text)):
+            says_wrong = wrong([each.text]) or (run.status != "ended" and is_wrong(each.text))
+            if each.at in trouble or (says_wrong and each.at not in explorer.likely.right):
                 faults[text] += 1
             elif speaks(text) and each.at not in explorer.handlers:
                 right[SAID, text] += 1

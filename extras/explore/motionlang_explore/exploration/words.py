@@ -50,7 +50,7 @@ STEADY = _words(
     nl=r"deur|\bkap\b|\bhek\b|scherm|lucht|gereed|dicht\b|aanwezig",
 )
 ABSENT = _words(
-    en=r"open|full|\blow\b|empty|broke|\bjam|\bjog|spare|reserve|fault|setup",
+    en=r"open|full|\blow\b|empty|broke|\bbrk\b|\bjam|\bjog|spare|reserve|fault|setup",
     de=r"offen|voll|leer|bruch|tipp",
     fr=r"ouvert|plein|vide|cass|bourr",
     es=r"abiert|llen[oa]\b|\brot[oa]\b|atasc",
@@ -78,7 +78,7 @@ ALARM = _words(
     en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
     de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b|hupe",
     fr=r"d[ée]faut|rebut|rouge|mauvais|klaxon",
-    es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz",
+    es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz|\bmal[oa]s\b",
     it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
     nl=r"storing|\bfout|\brood\b|\brode\b|afkeur|uitval",
 )
@@ -130,7 +130,14 @@ _WRONG = re.compile(
     rf"|(?:\b(?:not?|keine?|nicht|geen|niet|sin|nessun[oa]?)|n't)\b(?!\W*(?:\d|{_TROUBLE}))",
     re.IGNORECASE,
 )
-_RIGHT = _words(en=r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b")
+_RIGHT = _words(
+    en=r"\bgood\b|\bok\b|complete|\bpass(?:ed)?\b",
+    de=r"\bgut",
+    fr=r"\bbon(?:ne)?s?\b",
+    es=r"\bbuen[oa]s?\b",
+    it=r"\bbuon[oaie]\b",
+    nl=r"\bgoede?\b",
+)
 # What a program says when it stops, but for its start.
 _STOPPED = _words(en=r"stopped|\bstop (?:pressed|button|key)")
 

@@ -209,6 +209,23 @@ Function oneBoard() As Integer
   Pause INX(15)
 End Function
 """
+# What is printed with the count of what was bad is a reject, whatever its words say.
+COUNTED = f"""\
+{RATES}
+Dim good As Integer, bad As Integer
+Loop
+  Pause INX(1)
+  MOVER(0) = 25 : GO(0) : Pause IDLE(0)
+  Wait(100)
+  If INX(6) Then
+    good = good + 1
+    Print good; " pushed off"
+  Else
+    bad = bad + 1
+    Print bad; " short ones, remelted"
+  End If
+End Loop
+"""
 
 
 @pytest.mark.parametrize(
@@ -223,6 +240,7 @@ End Function
         pytest.param(TYPED, "bun glazed", "nothing", id="typed"),
         pytest.param(REMARKS, "four passed", "nothing", id="remarks"),
         pytest.param(GREETING, "cell passed", "nothing", id="greeting"),
+        pytest.param(COUNTED, " pushed off", "remelted", id="counted"),
         pytest.param(BATCH, "Board slotted", "Batch given up", id="batch"),
     ],
 )
