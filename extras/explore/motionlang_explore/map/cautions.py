@@ -92,17 +92,24 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
     follows = {f"input {each['channel']}" for each in given if each.keys() & {"output", "axis"}}
     made = [[one for one in each.causes if not one.moment.line] for each in path]
-    # What is left on, or follows an output, starts nothing.
-    starting = ([one for one in some if one.subject not in always | follows] for some in made[begin:])
-    steps = [" and ".join(map(names.of, some)) for some in starting if some]
+    # What is left on starts nothing, and what follows an output only if nothing else is changed.
+    kinds = [
+        [[one for one in some if one.subject not in others] for some in made[begin:]]
+        for others in (always | follows, always)
+    ]
+    starting = next(([some for some in kind if some] for kind in kinds if any(kind)), [])
+    steps = [" and ".join(map(names.of, some)) for some in starting]
     what = ", then ".join(steps) or "power-up"
-    needed = dict.fromkeys(one.subject for some in made for one in some if one.value)
+    starters = {one.subject for some in starting for one in some}
+    needed = dict.fromkeys(
+        one.subject for some in made for one in some if one.value and one.subject not in starters
+    )
     held, answers = ([names[each] for each in needed if each in some] for some in (always, follows))
     why = f" with {', '.join(held)} on" if held else ""
-    why += f"; {', '.join(answers)} follow{'s' * (len(answers) < 2)} an output or an axis" if answers else ""
+    why += f"; played with {', '.join(answers)} behind an output or an axis" if answers else ""
     changed = {one.subject for some in made for one in some}
-    others = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
-    why += f"; played with {', '.join(others)} on" if others else ""
+    on = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
+    why += f"{' and' if answers else '; played'} with {', '.join(on)} on" if on else ""
     yield CautionRow(
         "starts", what, f"start{'s' if ' and ' not in what and len(steps) < 2 else ''} the cycle{why}"
     )

@@ -230,6 +230,9 @@ class Reasons:
         if handlers and statement is not None and {each.rank for each in made} == {THROUGH}:
             # In a handler a variable only says when it acts.
             return [each._replace(words=f"{each.words} if `{statement.condition}`") for each in handlers]
+        before = self._before(q, side)
+        if before and statement is not None:
+            return [each._replace(words=f"{each.words} if `{statement.condition}`") for each in before]
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
         # A time has the conditions before it as well, a quotation those of the blocks around it.
@@ -243,13 +246,36 @@ class Reasons:
             self._depth += 1
             around = [each for outer in self._outside(q) for each in self._within(outer, True)]
             self._depth -= 1
-        around = [each for each in around if each.rank >= DIRECT]
+        around = [
+            each
+            for each in around
+            if each.rank >= DIRECT and not any(_opposite(each.words) in one.words for one in made)
+        ]
         if not around or (is_looped and not is_counted):
             return made
         outer = " or ".join(each.text for each in around[:MAX_REASONS])
         # What leaves a loop is one of the ways behind it.
         rank = COUNTED if is_looped else DIRECT
         return [each._replace(words=f"{outer} and {each.words}", rank=rank) for each in made]
+
+    def _before(self, q: int, side: bool) -> list[Reason]:
+        """Return the channels of the branches around one that tests a variable which these have not set."""
+        name, number = self._tested(((q, side),))
+        around = [outer for outer in self._outside(q) if outer >= 0 and not self._is_loop(outer)]
+        sites = [p for p, value in self._sites.get(name, [])[:MAX_SITES] if value == number]
+        is_flag = {value for _, value in self._sites.get(name, [])} <= {"0", "1"}
+        if not sites or not is_flag or any(self._is_inside(p, outer) for p in sites for outer in around):
+            return []
+        return [each for outer in around for each in self._test(outer, True) if each.rank == DIRECT]
+
+    def _is_inside(self, p: int, outer: int) -> bool:
+        """True if a branch guards a point, or what guards it."""
+        seen, stack = set[int](), [p]
+        while stack:
+            guards = {q for q, _ in self._guards.get(stack.pop(), ())} - seen
+            seen |= guards
+            stack += guards
+        return outer in seen
 
     def _outside(self, q: int) -> list[int]:
         """Return the branches, or the handler, whose block has a branch, not those that come before it."""
@@ -532,6 +558,12 @@ def _compared_with(form: str) -> tuple[str, str]:
     left, sign, right = _binary(form)
     left, right = (right, left) if _is_number(left) else (left, right)
     return (left[1:], right) if sign == "=" and left.startswith("~") else ("", "")
+
+
+def _opposite(words: str) -> str:
+    """Return the words of an input at its other level."""
+    head, _, level = words.rpartition(" ")
+    return f"{head} {'off' if level == 'on' else 'on'}"
 
 
 def _quoted(statement: Statement, side: bool) -> Reason:

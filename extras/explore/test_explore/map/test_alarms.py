@@ -160,6 +160,32 @@ Event IN3
   bTrip = 1
 End Event
 """
+# A flag that something else has set, and a loop that ends by a sensor or a time.
+FLAGS = """\
+REM IN 1 lid shut  2 green button  4 ram down
+going = 0
+LOOP
+  IF INX.1 = 0 DO
+    IF going = 1 DO
+      going = 0
+      OUTX.0 = 0
+      PRINT "STOPPED"
+    ENDIF
+  ENDIF
+  IF INX.2 = 1 AND INX.1 = 1 AND going = 0 DO
+    going = 1 : late = 0
+    OUTX.0 = 1
+    MOVER.0 = 20 : GO.0 : PAUSE IDLE.0
+    TIME = 0
+    WHILE INX.4 = 0 AND late = 0
+      IF TIME > 1500 THEN late = 1
+    ENDW
+    IF late = 1 THEN PRINT "RAM STUCK"
+    PAUSE INX.2 = 0
+  ENDIF
+  WAIT = 10
+ENDL
+"""
 # Levels, a fault, and a loop of GOTOs that counts.
 LEVELS = """\
 REM IN 1 stop  4 cutter down
@@ -260,6 +286,15 @@ RETURN
                 "'PART STUCK' comes 1.5 s after line 20 without input 4 (part fallen) on",
             ],
             id="times",
+        ),
+        pytest.param(
+            "a.prg",
+            FLAGS,
+            [
+                "'STOPPED' comes by input 1 (lid shut) off if `going = 1`, line 4",
+                "'RAM STUCK' comes by input 4 (ram down) off, line 16 and 1.5 s after line 15",
+            ],
+            id="flags",
         ),
         pytest.param(
             "a.prg",

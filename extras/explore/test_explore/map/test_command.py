@@ -199,7 +199,9 @@ End Loop
 """,
     )
     shown = cell("map", "a.mnt", "--all").out.splitlines()
-    started = "  input 1 (start) on starts the cycle; input 2 (clamped) follows an output or an axis"
+    started = (
+        "  input 1 (start) on starts the cycle; played with input 2 (clamped) behind an output or an axis"
+    )
     assert started in shown
 
 
