@@ -119,13 +119,13 @@ def variables(
             continue
         given: dict[str, list[int]] = {}
         decides: dict[str, None] = {}
-        for start, _ in each.uses:
+        for start, end in each.uses:
             line, value = structure.line(start), structure.writes.get(start)
             if value:
                 _add(given, value, line)
             k = bisect_right(starts, start) - 1
-            is_read = value is None and k >= 0 and each.kind not in ("constant", "define")
-            condition = structure.statements[starts[k]].condition if is_read else ""
+            is_read = value is None and (start, end) != each.span and each.kind not in ("constant", "define")
+            condition = structure.statements[starts[k]].condition if is_read and k >= 0 else ""
             decides |= {f"{line}: {condition}": None} if condition else {}
         writes = sorted({structure.line(start) for start, _ in each.uses if start in structure.writes})
         reads = sorted(

@@ -133,6 +133,12 @@ def test_values_and_conditions_are_whole() -> None:
     assert found.structure.statements[text.index("PRINT")].text == 'PRINT ":)", (INX.3)'
 
 
+def test_a_parameter_decides_what_its_sub_reads_not_what_stands_above_it() -> None:
+    text = "Sub Ready\n  Pause INX(1)\nEnd Sub\nSub Fed(ByVal to As Float)\n  If to > 3 Then Ready\nEnd Sub\nFed(4)\n"
+    found = {each.name: list(each.decides) for each in made(text).variables}
+    assert found == {"to": ["5: to > 3"]}
+
+
 def test_units_and_what_nothing_reaches() -> None:
     text = "#Again : Fill\nRun Lamp\nGOTO Over\nPRINT 1\nPRINT 2\n#Over\nSub Fill\n  PRINT 3\nEnd Sub\n"
     text += "Sub Spare\n  PRINT 4\nEnd Sub\nTask Lamp\n  Fill\nEnd Task\n"
