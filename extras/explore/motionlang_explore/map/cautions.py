@@ -92,10 +92,10 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
     follows = {f"input {each['channel']}" for each in given if each.keys() & {"output", "axis"}}
     made = [[one for one in each.causes if not one.moment.line] for each in path]
-    # What is left on starts nothing, and what follows an output only if nothing else is changed.
+    # What is left on starts nothing, nor what follows an output, unless nothing else is changed.
     kinds = [
         [[one for one in some if one.subject not in others] for some in made[begin:]]
-        for others in (always | follows, always)
+        for others in (always | follows, always, ())
     ]
     starting = next(([some for some in kind if some] for kind in kinds if any(kind)), [])
     steps = [" and ".join(map(names.of, some)) for some in starting]
@@ -150,10 +150,14 @@ def _alarms(
             why = "; ".join(f"{value}: {_by(known)}" for value, known in values.items())
             row[1].append(f"with {why}" if values else _by(causes))
             row[2].append(each)
-    ends = Ends(exploration)
+    ends = Ends(
+        exploration,
+        [each for (is_only_said, _), row in found.items() if not is_only_said for each in row[2]],
+        names,
+    )
     for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
-        steps = () if played else ends.of(signs)
+        steps = () if played else ends.of(signs, "; ".join(whys))
         back = (
             f"; ends by {', then '.join(' and '.join(map(names.of, step)) for step in steps)}"
             if steps

@@ -1,9 +1,9 @@
 """What ends an alarm: it is played.
 
 At the rest behind an alarm all channels get the levels that they have where the good cycle begins, or what has led
-there is taken back. Then one channel after the other that is read at rest is changed, until the machine is in its cycle
-again, or where it comes on the way there from power-up, the outputs of the alarm are off, and it does not come again.
-Of these changes those are left out without which that happens as well.
+there is taken back. Then one channel after the other that is read at rest is changed, until the machine is where it
+comes without any alarm, the outputs of the alarm are off, and it does not come again for a while. Of these changes
+those are left out without which that happens as well.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterator
 from math import inf
 from typing import NamedTuple
 
+from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Statement
 from motionlang_explore.exploration import (
     Change,
@@ -25,9 +26,12 @@ from motionlang_explore.exploration import (
     Visit,
     without_memory,
 )
+from motionlang_explore.map.names import ReaderNames
 
-# So many changes are tried for one alarm.
-MAX_TRIED = 30
+# So many changes are tried behind each begin.
+MAX_TRIED = 20
+# An alarm is over if it does not come again for so long, s.
+AWHILE = 1.0
 # The values with which an output is switched on.
 ON = ("1", "_on", "_true")
 # The changes of an end, in order; those of one step come together.
@@ -43,36 +47,35 @@ class _Reached(NamedTuple):
 
 
 class Ends:
-    """The ends of the alarms of an explored program."""
+    """The ends of the alarms of an explored program; `signs` are the statements of all of them."""
 
-    def __init__(self, exploration: Exploration) -> None:
-        self._exploration = exploration
+    def __init__(self, exploration: Exploration, signs: Collection[Statement], names: ReaderNames) -> None:
+        self._exploration, self._names = exploration, names
         self._nodes = {node.state: node for node in exploration.nodes}
         # The levels, numbers and keys that lead on somewhere, by channel.
         self._values: dict[Channel, dict[Change, None]] = defaultdict(dict)
         for each in (one for node in exploration.nodes for way in node.transitions for one in way.causes):
             self._values[each.channel][each] = None
-        cycle = exploration.world.cycle
-        self._good = {*cycle.states, *(each.source for each in self._way_to(cycle.states))} - {None}
+        alarms = {each.at for each in signs}
+        self._good = {*exploration.world.cycle.states, *self._without(alarms)} - {None}
 
-    def _way_to(self, states: Collection[RestState | None]) -> list[Transition]:
-        """Return the transitions from power-up to one of some states, on the way of the fewest."""
-        ways: dict[RestState | None, list[Transition]] = {None: []}
-        queue = deque[RestState | None]([None])
+    def _without(self, alarms: Collection[int]) -> set[RestState | None]:
+        """Return the states to which the machine comes without any of some statements."""
+        found: dict[RestState | None, None] = {None: None}
+        queue = deque(found)
         while queue:
-            here = queue.popleft()
-            if here in states:
-                return ways[here]
-            for each in self._nodes[here].transitions if here in self._nodes else ():
-                if each.target is not None and each.target not in ways:
-                    ways[each.target] = [*ways[here], each]
+            node = self._nodes.get(queue.popleft())
+            for each in node.transitions if node is not None else ():
+                if each.target is not None and each.target not in found and each.begun.isdisjoint(alarms):
+                    found[each.target] = None
                     queue.append(each.target)
-        return []
+        return set(found)
 
-    def of(self, signs: Collection[Statement]) -> Steps | None:
+    def of(self, signs: Collection[Statement], why: str) -> Steps | None:
         """Return the changes that end the alarm of some statements, none if it ends by itself.
 
-        None if nothing that was played has ended it.
+        Of changes that can stand for each other those are left that the reason `why` it comes names. None if nothing
+        that was played has ended it.
         """
         alarm = _Alarm(self._exploration, signs, self._good)
         ways = (
@@ -83,22 +86,42 @@ class Ends:
             return ()
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
         alarm.begins(start.played, first)
-        if alarm.is_over(start.played):
+        if alarm.is_over(start.played, has_come=False):
             return ()
-        tried, known = 0, set[object]()
-        queue = deque[tuple[Steps, _Reached]]([((), start)])
+        for begin in dict.fromkeys((self._restored(start, alarm), alarm.undone, ())):
+            found = self._found(start, (begin,) if begin else (), alarm)
+            if found is not None:
+                return self._needed(start, found, alarm, why)
+        return None
+
+    def _found(self, start: _Reached, begin: Steps, alarm: _Alarm) -> Steps | None:
+        """Return the fewest steps behind some that end an alarm; None if none of those that were tried do."""
+        here = start
+        for step in begin:
+            here = self._changed(start, step)
+        if begin and alarm.is_over(here.played):
+            return begin
+        tried, known, queue = 0, set[object](), deque([(begin, here)])
         while queue:
             steps, here = queue.popleft()
-            for step in dict.fromkeys(self._steps(here, alarm, is_first=not steps)):
+            for step in sorted(dict.fromkeys(self._steps(here)), key=len):
                 tried += 1
                 reached = self._changed(here, step)
                 if alarm.is_over(reached.played):
-                    return self._needed(start, (*steps, step), alarm)
+                    return (*steps, step)
                 place = reached.visit and (reached.played.rests[-1].state, *reached.visit.levels.items())
                 if tried < MAX_TRIED and place is not None and place not in known:
                     known.add(place)
                     queue.append(((*steps, step), reached))
         return None
+
+    def _restored(self, start: _Reached, alarm: _Alarm) -> Step:
+        """Return the changes with which all channels have the levels of the begin of the cycle."""
+        now = _levels(start.visit.timeline) if start.visit is not None else {}
+        good = dict.fromkeys(now, 0.0) | alarm.levels
+        return tuple(
+            Change(*channel, level) for channel, level in good.items() if level != now.get(channel, 0.0)
+        )
 
     def _play(self, timeline: Timeline, since: float) -> _Reached:
         played = self._exploration.play(timeline, since)
@@ -112,16 +135,11 @@ class Ends:
             return here
         return self._play(here.visit.changed(step), here.visit.change_time)
 
-    def _steps(self, here: _Reached, alarm: _Alarm, *, is_first: bool) -> Iterator[Step]:
-        """Yield what may be changed at a rest: what is not as in the cycle, what has led on, what it reads."""
+    def _steps(self, here: _Reached) -> Iterator[Step]:
+        """Yield what may be changed at a rest: what has led on there, and what it reads."""
         if here.visit is None:
             return
         now = _levels(here.visit.timeline)
-        good = dict.fromkeys(now, 0.0) | alarm.levels
-        restored = tuple(
-            Change(*channel, level) for channel, level in good.items() if level != now.get(channel, 0.0)
-        )
-        yield from (each for each in (restored, alarm.undone) if is_first and each)
         rest = here.played.rests[-1]
         node = self._nodes.get(rest.state)
         for each in node.transitions if node is not None else ():
@@ -134,17 +152,16 @@ class Ends:
             else:
                 yield from ((each,) for each in self._values.get(channel, ()))
 
-    def _needed(self, start: _Reached, steps: Steps, alarm: _Alarm) -> Steps:
+    def _needed(self, start: _Reached, steps: Steps, alarm: _Alarm, why: str) -> Steps:
         """Return the steps of an end without the changes that it does not need."""
-        for k, step in enumerate(steps):
-            for change in step:
-                fewer = tuple(one for one in steps[k] if one != change)
-                less = (*steps[:k], fewer, *steps[k + 1 :])
-                here = start
-                for each in less:
-                    here = self._changed(here, each)
-                if alarm.is_over(here.played):
-                    steps = less
+        changes = [(k, change) for k, step in enumerate(steps) for change in step]
+        for k, change in sorted(changes, key=lambda each: self._names[each[1].subject] in why):
+            less = (*steps[:k], tuple(one for one in steps[k] if one != change), *steps[k + 1 :])
+            here = start
+            for each in less:
+                here = self._changed(here, each)
+            if any(less) and alarm.is_over(here.played):
+                steps = less
         return tuple(filter(None, steps))
 
 
@@ -179,18 +196,30 @@ class _Alarm:
             if each.table == "input"
         )
 
-    def is_over(self, played: PlayedTimeline) -> bool:
-        """True if the machine is in a good state behind the last change, and the alarm is over."""
+    def is_over(self, played: PlayedTimeline, *, has_come: bool = True) -> bool:
+        """True if the machine is in a good state behind the last change, and the alarm is over for a while.
+
+        Unless it `has_come` before, it has to come first.
+        """
         trial, run, rests = played
-        on = {each.channel: each.value for each in run.machine.log.outputs}
-        if any(on.get(each) for each in self._outputs):
-            return False
-        said = (one.time for some in trial.statements.values() for one in some if one.at in self._said)
-        since = max((trial.since, *said))
-        if self._good:
-            states = (each.state for each in rests if each.begin >= since)
-            return any(each in self._good or without_memory(each) in self._places for each in states)
-        return any(each.line in self._cycle.work and each.begin >= since for each in trial.moves)
+        back = [
+            each.begin
+            for each in rests
+            if each.state in self._good or without_memory(each.state) in self._places
+        ]
+        back += [each.begin for each in trial.moves if each.line in self._cycle.work]
+        said = [one.time for some in trial.statements.values() for one in some if one.at in self._said]
+        return any(
+            not any(time <= one < time + AWHILE for one in said) and not self._is_on(run, time)
+            for time in back
+            if time >= (trial.since if has_come else max((trial.since, *said)))
+            and (time + AWHILE <= trial.time or trial.is_stuck or trial.has_ended)
+        )
+
+    def _is_on(self, run: Run, time: float) -> bool:
+        """True if an output of the alarm is on at a time."""
+        levels = {each.channel: each.value for each in run.machine.log.outputs if each.time <= time}
+        return any(levels.get(each) for each in self._outputs)
 
 
 def _levels(timeline: Timeline) -> dict[Channel, float]:

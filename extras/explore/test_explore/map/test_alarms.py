@@ -250,8 +250,7 @@ RETURN
             [
                 "output 11 (fault lamp) and 'NO VACUUM' come by input 3 (vacuum ok) off, line 4 and "
                 "0.49 s in line 4; ends by input 3 (vacuum ok) on, then input 5 (reset) on",
-                "'GATE NOT SHUT' comes by input 1 (gate shut) off, line 3; ends by input 1 (gate shut) "
-                "on and input 3 (vacuum ok) on",
+                "'GATE NOT SHUT' comes by input 1 (gate shut) off, line 3; ends by input 1 (gate shut) on",
             ],
             id="macros",
         ),
@@ -259,10 +258,9 @@ RETURN
             "a.mccl",
             CODES,
             [
-                "'NO SUGAR' comes by input 2 (sugar) off, line 3; ends by input 1 (run) off, then input "
-                "1 (run) on and input 2 (sugar) on",
+                "'NO SUGAR' comes by input 2 (sugar) off, line 3; ends by input 1 (run) off",
                 "'WASTE' comes by analogue input 1 (force) above 6.8, line 3 or 3 times analogue input "
-                "1 (force) below 2, line 3; what ends it was not played",
+                "1 (force) below 2, line 3; ends by input 1 (run) off",
             ],
             id="codes",
         ),
@@ -272,8 +270,9 @@ RETURN
             [
                 "'HOOD OPEN' comes by input 3 (hood) (event IN3), line 26 and `POS(0) > 5`, line 9 (not "
                 "played)",
-                "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16",
-                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24",
+                "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16; ends by input 2 (ram) on",
+                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24; ends by "
+                "input 1 (clamp) on and input 2 (ram) on",
             ],
             id="waits",
         ),
@@ -291,7 +290,7 @@ RETURN
             "a.prg",
             FLAGS,
             [
-                "'STOPPED' comes by input 1 (lid shut) off if `going = 1`, line 4",
+                "'STOPPED' comes by input 1 (lid shut) off if `going = 1`, line 4; ends by input 1 (lid shut) on",
                 "'RAM STUCK' comes by input 4 (ram down) off, line 16 and 1.5 s after line 15",
             ],
             id="flags",
