@@ -44,7 +44,8 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     """Return the cautions of a machine."""
     reasons = Reasons(structure, names, exploration.world.run.controller.inputs.active_low)
     rows = list(_start(exploration, names))
-    rows += [CautionRow("stops", what, why) for what, why in _stops(exploration, structure, names)]
+    stops = list(_stops(exploration, structure, names)) or [("nothing that was played", "cuts off a move")]
+    rows += [CautionRow("stops", *each) for each in stops if exploration.axes and exploration.channels]
     rows += _alarms(exploration, structure, names, reasons)
     waits = {
         structure.line(at)
