@@ -44,6 +44,8 @@ CAUSES = {
     "host": "a host",
     "condition": "a condition",
 }
+# So many variables that tell two rows apart are named.
+MAX_DECIDING = 3
 # A wait that is shorter is not shown, and what happens so soon after something else happens then, s.
 SHORTEST = 0.001
 
@@ -245,7 +247,7 @@ class _Words:
             for row, seen in rows
         ]
         for (row, _), text in zip(rows, decides, strict=True):
-            row.until += f", with {text}" if text else ""
+            row.until += f", seen with {text}" if text else ""
         transitions = [row for row, _ in rows]
         state = nodes[0].state
         if state is None:
@@ -258,17 +260,18 @@ class _Words:
         return StateRow(self.lines(state), statement, list(reads), transitions, is_in_cycle, lines)
 
     def deciding(self, nodes: Iterable[StateNode], others: Iterable[StateNode]) -> str:
-        """Return the variable that some states have with other values than others, such as "good = 0"; "" for none."""
+        """Return the variables that some states have with other values than others, such as "good = 0"; "" for none."""
         mine, theirs = (list(map(_memory, found)) for found in (nodes, others))
+        found = []
         for number in mine[0] if theirs else ():
             values = dict.fromkeys(each.get(number) for each in mine)
             if not values.keys() & {each.get(number) for each in theirs}:
                 name = self.structure.variables.get(number, "?")
-                if any(each is True for each in values):  # a state remembers only if an answer is 0
-                    return f"{name} is not 0"
                 shown = (f"{each:.6g}" if isinstance(each, (bool, float)) else str(each) for each in values)
-                return f"{name} = {' or '.join(shown)}"
-        return ""
+                # A state remembers only if an answer is 0.
+                is_any = any(each is True for each in values)
+                found.append(f"{name} is not 0" if is_any else f"{name} = {' or '.join(shown)}")
+        return " and ".join(found[:MAX_DECIDING])
 
     def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
         to = "the end" if each.target is None else self.lines(each.target)
@@ -305,7 +308,7 @@ class _Words:
                     if f"input {channel}" in read | set(self.exploration.reads(other.target or ()))
                     and levels.get(channel, 0.0) != others_levels.get(channel, 0.0)
                 )
-        return f"{found}, with {' and '.join(differing)}" if differing else found
+        return f"{found}, seen with {' and '.join(differing)}" if differing else found
 
     def run(self, each: Transition) -> frozenset[int]:
         """Return the lines that a transition runs; a line with commands does not run where its macro is defined."""

@@ -376,8 +376,8 @@ def test_what_the_program_remembers_decides_between_two_rows(cell: Cell) -> None
     )
     shown = " ".join(cell("map", "a.mnt", "--all").out.split())
     assert shown.count("waits in 7: Pause INX(1)") == 1
-    assert "input 1 on, with kind = 1 → " in shown
-    assert "input 1 on, with kind = 2 → " in shown
+    assert "input 1 on, seen with kind = 1 → " in shown
+    assert "input 1 on, seen with kind = 2 → " in shown
 
 
 def test_a_menu_shows_what_it_remembers(cell: Cell) -> None:
@@ -389,5 +389,5 @@ def test_a_menu_shows_what_it_remembers(cell: Cell) -> None:
         "  If k = 50 And size > 0 Then MOVER(0) = size : GO(0) : Pause IDLE(0)\n  Wait(50)\nEnd Loop\n",
     )
     shown = cell("map", "menu.mnt", "--all").out
-    assert "key 2, with size = 0 →" in shown
-    assert "key 2, with size is not 0 →" in shown
+    assert "key 2, seen with size = 0 →" in shown
+    assert "key 2, seen with size is not 0 →" in shown
