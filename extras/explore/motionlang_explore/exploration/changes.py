@@ -195,3 +195,10 @@ def levels_at(timeline: Timeline, time: float) -> dict[int, float]:
         for start, level in change.levels(at)
         if start <= time + 1e-9
     }
+
+
+def channel_levels(timeline: Timeline, time: float) -> dict[Channel, float]:
+    """Return the levels of the inputs, analogue ones too, that a timeline has changed by a time."""
+    inputs = {("input", number): level for number, level in levels_at(timeline, time).items()}
+    analogue = ((at, each) for at, each in timeline if each.table == "analogue")
+    return inputs | {each.channel: float(each.value) for at, each in analogue if at <= time}

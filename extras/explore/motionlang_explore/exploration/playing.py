@@ -14,9 +14,9 @@ from motionlang.comparison.texts import plain, without_figures
 from motionlang_explore.exploration.changes import (
     AT_REST,
     Change,
-    Channel,
     Moment,
     Timeline,
+    channel_levels,
     levels_at,
     made_at,
 )
@@ -169,21 +169,14 @@ def _missing(causes: Causes, timeline: Timeline) -> Causes:
 
 def _others(explorer: Explorer, chosen: Transition, timeline: Timeline) -> Causes:
     """Return the changes that give all other inputs the levels with which a transition was found."""
-    levels = _levels(timeline, inf)
-    wanted = dict.fromkeys(levels, 0.0) | _levels(chosen.visit.timeline, chosen.visit.change_time)
+    levels = channel_levels(timeline, inf)
+    wanted = dict.fromkeys(levels, 0.0) | channel_levels(chosen.visit.timeline, chosen.visit.change_time)
     left = {*(each.channel for each in chosen.causes), *(("input", each) for each in explorer.triggers)}
     return tuple(
         Change(*channel, level)
         for channel, level in wanted.items()
         if level != levels.get(channel, 0.0) and channel not in left
     )
-
-
-def _levels(timeline: Timeline, time: float) -> dict[Channel, float]:
-    """Return the levels of the inputs, analogue ones too, that a timeline has changed by a time."""
-    inputs = {("input", number): level for number, level in levels_at(timeline, time).items()}
-    analogue = ((at, each) for at, each in timeline if each.table == "analogue")
-    return inputs | {each.channel: float(each.value) for at, each in analogue if at <= time}
 
 
 def _again(causes: Causes) -> Causes:

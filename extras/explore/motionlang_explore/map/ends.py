@@ -24,6 +24,7 @@ from motionlang_explore.exploration import (
     Timeline,
     Transition,
     Visit,
+    channel_levels,
     without_memory,
 )
 from motionlang_explore.map.names import ReaderNames
@@ -117,7 +118,7 @@ class Ends:
 
     def _restored(self, start: _Reached, alarm: _Alarm) -> Step:
         """Return the changes with which all channels have the levels of the begin of the cycle."""
-        now = _levels(start.visit.timeline) if start.visit is not None else {}
+        now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
         good = dict.fromkeys(now, 0.0) | alarm.levels
         return tuple(
             Change(*channel, level) for channel, level in good.items() if level != now.get(channel, 0.0)
@@ -139,7 +140,7 @@ class Ends:
         """Yield what may be changed at a rest: what has led on there, and what it reads."""
         if here.visit is None:
             return
-        now = _levels(here.visit.timeline)
+        now = channel_levels(here.visit.timeline, inf)
         rest = here.played.rests[-1]
         node = self._nodes.get(rest.state)
         for each in node.transitions if node is not None else ():
@@ -180,7 +181,7 @@ class _Alarm:
         self._outputs = {int(number) for number in outputs if number.isdecimal()}
         self._cycle, self._good = exploration.world.cycle, good
         self._places = set(map(without_memory, good))
-        self.levels = _levels(self._cycle.visit.timeline)
+        self.levels = channel_levels(self._cycle.visit.timeline, inf)
         # What has led to the alarm, the other way round.
         self.undone: Step = ()
 
@@ -220,14 +221,3 @@ class _Alarm:
         """True if an output of the alarm is on at a time."""
         levels = {each.channel: each.value for each in run.machine.log.outputs if each.time <= time}
         return any(levels.get(each) for each in self._outputs)
-
-
-def _levels(timeline: Timeline) -> dict[Channel, float]:
-    """Return the last levels of the inputs and analogue inputs of a timeline."""
-    found: dict[Channel, float] = {}
-    for at, each in timeline:
-        if each.table == "input":
-            found[each.channel] = each.levels(at)[-1][1]
-        elif each.table == "analogue":
-            found[each.channel] = float(each.value)
-    return found
