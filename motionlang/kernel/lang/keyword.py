@@ -262,8 +262,8 @@ class Keyword:
             return ""
         if self.does("datum") and not self.does("stop"):
             return "home"
-        by_role = _TOPICS_BY_ROLE.get(self.role, "speed" if self.gives else "")
-        return by_role or _TOPICS_BY_GROUP.get(self.group, "")
+        usual = _TOPICS_BY_GROUP.get(self.group, "")
+        return _TOPICS_BY_ROLE.get(self.role) or ("speed" if self.gives and usual != "limit" else usual)
 
     def _default_reads(self) -> str:
         if self.kind not in ("reading", "setting", "move") or "R" not in self.access:

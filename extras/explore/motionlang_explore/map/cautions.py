@@ -44,7 +44,9 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     """Return the cautions of a machine."""
     reasons = Reasons(structure, names, exploration.world.run.controller.inputs.active_low)
     rows = list(_start(exploration, names))
-    stops = list(_stops(exploration, structure, names)) or [("nothing that was played", "cuts off a move")]
+    stops = list(_stops(exploration, structure, names)) or [
+        ("nothing that was played", "cuts off a move to a target")
+    ]
     rows += [CautionRow("stops", *each) for each in stops if exploration.axes and exploration.channels]
     rows += _alarms(exploration, structure, names, reasons)
     waits = {

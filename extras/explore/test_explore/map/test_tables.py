@@ -125,6 +125,11 @@ def test_axes_have_literal_and_computed_moves() -> None:
     assert [fact.keyword for fact in found[1].of("master")] == ["MASTERSOURCE"]
 
 
+def test_a_soft_limit_of_mccl_is_a_limit() -> None:
+    (axis,) = made("1HL320,1LL-5,1SV40\n", "mccl").axes
+    assert {fact.keyword: fact.topic for fact in axis.facts} == {"HL": "limit", "LL": "limit", "SV": "speed"}
+
+
 def test_values_and_conditions_are_whole() -> None:
     text = 'AXES[0, 1]\nSPEED = 5, (6 + 1) * 2\nPAUSE (INX.0 AND INX.1) OR INX.2\nPRINT ":)", (INX.3)\n'
     found = made(text)
