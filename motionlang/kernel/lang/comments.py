@@ -35,7 +35,7 @@ from motionlang.kernel.source import Source
 # Devices of a list: "valves: 3 clamp". In the middle of a text they begin none.
 _SENSORS = "sensors|switches|buttons|contacts|reeds"
 _ACTUATORS = "valves|solenoids|cylinders|lamps|lights"
-_DRIVES = "motors|drives|servos"
+_DRIVES = "motors?|drives?|servos?"
 # E, A and S begin a list in brackets, or before a number or a colon.
 _ALONE = r"(?:(?<=[(\[])|(?=.[\d:]))"
 # The words that begin a list, and what it names; a channel may be an input or an output.
@@ -47,7 +47,7 @@ _WORDS = {
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|kanaa?l|canale?|i/o",
     "analogue input": rf"a/?dc?|ai|ai?n|ana|canale analogico|{_ALONE}a|analog(?:ue)?(?: in(?:put)?s?)?",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
-    "axis": f"ax(?:is|es?)?|achsen?|ejes?|ass[ei]|{_DRIVES}",
+    "axis": f"ax(?:is|es?)?|achsen?|ejes?|ass[ei]|assen|{_DRIVES}",
     "encoder": "enc(?:oder)?s?",
     "register": "r(?:eg(?:ister)?s?)?",
     "comms element": "comms",
