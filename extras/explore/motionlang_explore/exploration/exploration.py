@@ -226,6 +226,11 @@ class Exploration:
         """Return what is wrong with the work of a run in words, "" if nothing is."""
         return fault_of(self._explorer, run)
 
+    @property
+    def trouble(self) -> frozenset[int]:
+        """The source offsets of the statements of trouble, which a person resets, or which print how much was bad."""
+        return self._explorer.likely.trouble
+
     def line(self, at: int) -> int:
         """Return the line of a source offset."""
         return self._explorer.line(at)

@@ -123,6 +123,7 @@ def _alarms(
 ) -> Iterator[CautionRow]:
     """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
     found: dict[tuple[bool, object], tuple[dict[str, None], list[str], list[Statement]]] = {}
+    usual = _printed(exploration)
     for each in (each for at, each in sorted(structure.statements.items()) if reasons.knows(at)):
         written = [use for use in each.channels if use.access == WRITE]
         causes = reasons.of(each.at) or [
@@ -137,8 +138,9 @@ def _alarms(
         is_number = bool(values) and any(map(is_alarm, (*shown, *texts)))
         values = values if is_number else {}  # a step or a count in a text is no number of an alarm
         is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
-        is_left = is_told and each.at not in exploration.world.cycle.begun
-        is_trouble = is_number or bool(lamps) or is_wrong(" ".join(texts))
+        is_left = is_told and each.at not in usual | exploration.world.cycle.begun
+        says_wrong = bool(texts) and (is_wrong(" ".join(texts)) or each.at in exploration.trouble)
+        is_trouble = is_number or bool(lamps) or (says_wrong and each.at not in usual)
         causes = causes or (reasons.waited(each.at) if is_trouble else [])
         if texts and (is_trouble or is_left):
             what = [repr(" ... ".join(texts) + " ..." * bool(values))]
@@ -176,6 +178,15 @@ def _alarms(
         yield CautionRow(
             "said" if is_only_said else "alarm", " and ".join(told), f"{verb} {why}{played}{back}"
         )
+
+
+def _printed(exploration: Exploration) -> frozenset[int]:
+    """Return the statements that print in the good cycle of the world; none if it is no good one."""
+    run = exploration.world.run
+    if run.cycle is None or exploration.fault_of(run):
+        return frozenset()
+    begin, end = run.cycle.span
+    return frozenset(each.at for each in run.machine.log.prints if begin <= each.time < end)
 
 
 def _by(reasons: Sequence[Reason]) -> str:

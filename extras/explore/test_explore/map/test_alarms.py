@@ -160,6 +160,21 @@ Event IN3
   bTrip = 1
 End Event
 """
+# What the good cycle prints is no alarm, and what prints the count of bad pieces is one.
+GAUGE = """\
+Dim good As Integer, bad As Integer
+Loop
+  Pause INX(1)
+  MOVER(0) = 25 : GO(0) : Pause IDLE(0)
+  If INX(6) Then
+    good = good + 1
+    Print good; " pushed off"
+  Else
+    bad = bad + 1
+    Print bad; " short ones"
+  End If
+End Loop
+"""
 # A flag that something else has set, and a loop that ends by a sensor or a time.
 FLAGS = """\
 REM IN 1 lid shut  2 green button  4 ram down
@@ -227,7 +242,7 @@ RETURN
                 "(reset left) on, then input 5 (reset right) on",
                 "'NO LABEL' comes after 3 times input 3 (label on pad) off, line 16 and 2 s after line "
                 "13; ends by input 6 (reset left) on, then input 5 (reset right) on",
-                "'AIR' is printed by input 7 (air on) off, line 5; ends by input 7 (air on) on, then "
+                "'AIR' comes by input 7 (air on) off, line 5; ends by input 7 (air on) on, then "
                 "input 6 (reset left) on, then input 5 (reset right) on",
             ],
             id="steps",
@@ -286,6 +301,7 @@ RETURN
             ],
             id="times",
         ),
+        pytest.param("a.mnt", GAUGE, ["'short ones' comes by input 6 off, line 5"], id="gauge"),
         pytest.param(
             "a.prg",
             FLAGS,
