@@ -37,8 +37,8 @@ _ASSIGNS = re.compile(rf"{NAME}\w+ = ")
 _FORMATS = re.compile(r"(?<=PrintItem )\S* \([^()]*\)")
 # A statement in a comparison: the number of its pair, or its form.
 Key = int | str
-# The handler that may ask for the line of an error, which no form has.
-_ON_ERROR = "event onerror"
+# A handler that no channel and no time starts: it may ask for the line of an error, which no form has.
+_FAULT = "fault"
 # The kinds of units that run beside each other, and any variable.
 _STARTED, _ANY = ("program", "task", "event"), -(10**9)
 # Leads to a statement that has changed itself.
@@ -245,7 +245,10 @@ class ChangedProgram:
         for k, unit in enumerate(each for each in self.structure.units if each.kind in (*_STARTED, "macro")):
             at = points[unit.entry].at
             name = unit.head or (unit.name if unit.kind == "macro" else str(k))
-            found[f"{unit.kind} {name}"] = [at] if at in self._offsets else [*self._next(unit.entry)]
+            is_fault = unit.kind == "event" and not (unit.triggers or unit.is_timed)
+            found[f"{_FAULT if is_fault else unit.kind} {name}"] = (
+                [at] if at in self._offsets else [*self._next(unit.entry)]
+            )
         return found
 
     def _next(self, p: int) -> Iterator[int]:
@@ -315,7 +318,7 @@ def _begin_alike(a: ChangedProgram, b: ChangedProgram) -> bool:
             [text.pairs.get(at, _CHANGED) for at in each[name]]
             for text, each in zip((a, b), begins, strict=True)
         )
-        if first != second or (is_moved and name == _ON_ERROR):
+        if first != second or (is_moved and name.startswith(_FAULT)):
             a.parting.update(begins[0][name])
             b.parting.update(begins[1][name])
     one, other = ((each.language, each.target.model, each.values) for each in programs)

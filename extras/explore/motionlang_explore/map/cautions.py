@@ -24,8 +24,10 @@ from motionlang_explore.exploration import (
 )
 from motionlang_explore.map.ends import Ends
 from motionlang_explore.map.names import ReaderNames, is_alarm
-from motionlang_explore.map.reasons import MAX_REASONS, OFF, QUOTED, Reason, Reasons
+from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
 
+# The values with which an output is switched off.
+_OFF = ("0", "_off", "_false")
 _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
 _NAME = re.compile(r"[A-Za-z_]\w*")
@@ -96,11 +98,10 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     follows = {f"input {each['channel']}" for each in given if each.keys() & {"output", "axis"}}
     made = [[one for one in each.causes if not one.moment.line] for each in path]
     # What is left on starts nothing, nor what follows an output, unless nothing else is changed.
-    kinds = [
-        [[one for one in some if one.subject not in others] for some in made[begin:]]
-        for others in (always | follows, always, ())
-    ]
-    starting = next(([some for some in kind if some] for kind in kinds if any(kind)), [])
+    starting: list[list[Change]] = []
+    for others in (always | follows, always, set[str]()):
+        left = ([one for one in some if one.subject not in others] for some in made[begin:])
+        starting = starting or [some for some in left if some]
     steps = [" and ".join(map(names.of, some)) for some in starting]
     what = ", then ".join(steps) or "power-up"
     starters = {one.subject for some in starting for one in some}
@@ -130,7 +131,7 @@ def _alarms(
             Reason(f"`{use.value}`", each.line) for use in written if " " in use.value
         ]
         lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
-        is_on = any(use.value.lower() not in OFF for use in written)
+        is_on = any(use.value.lower() not in _OFF for use in written)
         is_question = any(use.channel == "answer" for use in each.channels)
         texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
         shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]

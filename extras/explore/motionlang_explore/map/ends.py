@@ -16,6 +16,7 @@ from typing import NamedTuple
 from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Statement
 from motionlang_explore.exploration import (
+    SECOND,
     Change,
     Channel,
     Exploration,
@@ -29,8 +30,8 @@ from motionlang_explore.exploration import (
 )
 from motionlang_explore.map.names import ReaderNames
 
-# So many changes are tried behind each begin.
-MAX_TRIED = 20
+# So many changes are tried behind each begin, and in all alarms no more once they have done so much work.
+MAX_TRIED, WORK = 20, SECOND
 # An alarm is over if it does not come again for so long, s.
 AWHILE = 1.0
 # The values with which an output is switched on.
@@ -52,6 +53,7 @@ class Ends:
 
     def __init__(self, exploration: Exploration, signs: Collection[Statement], names: ReaderNames) -> None:
         self._exploration, self._names = exploration, names
+        self._most = exploration.work + WORK
         self._nodes = {node.state: node for node in exploration.nodes}
         # The levels, numbers and keys that lead on somewhere, by channel.
         self._values: dict[Channel, dict[Change, None]] = defaultdict(dict)
@@ -85,6 +87,8 @@ class Ends:
         first = min(ways, key=lambda each: (len(each.causes), len(each.visit.timeline)), default=None)
         if first is None or first.target is None:
             return ()
+        if self._is_out_of_work:
+            return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
         alarm.begins(start.played, first)
         if alarm.is_over(start.played, has_come=False):
@@ -110,11 +114,17 @@ class Ends:
                 reached = self._changed(here, step)
                 if alarm.is_over(reached.played):
                     return (*steps, step)
+                if self._is_out_of_work:
+                    return None
                 place = reached.visit and (reached.played.rests[-1].state, *reached.visit.levels.items())
                 if tried < MAX_TRIED and place is not None and place not in known:
                     known.add(place)
                     queue.append(((*steps, step), reached))
         return None
+
+    @property
+    def _is_out_of_work(self) -> bool:
+        return self._exploration.work >= self._most
 
     def _restored(self, start: _Reached, alarm: _Alarm) -> Step:
         """Return the changes with which all channels have the levels of the begin of the cycle."""

@@ -39,13 +39,11 @@ _TIME = re.compile(r"[\d.]+ s after ")
 _TOKEN = re.compile(r"[()]|[^\s()]+")
 # So many guards of a point, reasons of one thing, reasons behind one another, and assignments of a name are followed.
 MAX_GUARDS, MAX_REASONS, MAX_DEPTH, MAX_SITES = 12, 6, 12, 100
-# So many points behind a statement are searched, and a longer condition is quoted.
+# So many points of a line are searched, and a longer condition is quoted.
 MAX_LENGTH = 400
 
 # What a reason is: a quotation, a time or a count, something behind a variable, a channel or a handler.
 QUOTED, COUNTED, THROUGH, DIRECT = range(4)
-# The values with which an output is switched off.
-OFF = ("0", "_off", "_false")
 # A branch and its side, or ~ the entry of what begins by itself.
 Guard = tuple[int, bool]
 

@@ -43,30 +43,31 @@ def is_right(text: str, name: str) -> bool:
     return not dialect_for(source, None).program(source, {}).errors
 
 
-def counted(name: str, text: str, other: str) -> tuple[int, int]:
-    """Compare two programs; return how many ways there are, and how many of them touch no change."""
+def untouched(name: str, text: str, other: str) -> int:
+    """Return how many ways of two programs touch no change; each of them is the same when it is played in both."""
     a = explored(Source(name, text))
-    first, second = Player(a), Player(explored(Source(name, other), a.switches.settings))
-    compared_ways(first, second, 1.0)
-    players, untouched = (first, second), 0
-    ways = all_ways(first, second)
-    for way in ways:
+    players = Player(a), Player(explored(Source(name, other), a.switches.settings))
+    compared_ways(*players, 1.0)
+    found = 0
+    for way in all_ways(*players):
         side = 0 if "A" in way.of else 1
         last = way.timeline[-1][0] if way.timeline else 0.0
         played = players[side].play(way.timeline, last)
         if players[side].text.is_untouched(played):
-            untouched += 1
+            found += 1
             result = compared(played, players[1 - side].play(way.timeline, last))
             assert not [*result.differences, *result.later], f"{way.timeline}\n{text}\n{other}"
-    return len(ways), untouched
+    return found
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(SEEDS))
-def test_a_way_that_touches_no_change_is_the_same(seed: int) -> None:
-    draw = Random(seed)
-    text = program(draw)
-    other = edited(draw, text)
-    while other == text or not is_right(other, "a.mnt"):
+def test_a_way_that_touches_no_change_is_the_same() -> None:
+    counts = []
+    for seed in range(SEEDS):
+        draw = Random(seed)
+        text = program(draw)
         other = edited(draw, text)
-    counted("a.mnt", text, other)
+        while other == text or not is_right(other, "a.mnt"):
+            other = edited(draw, text)
+        counts.append(untouched("a.mnt", text, other))
+    assert any(counts), counts
