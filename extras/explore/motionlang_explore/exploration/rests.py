@@ -141,8 +141,11 @@ def rests(
 
 
 def _with_memory(rest: Rest, trial: Trial, memory: Memory, forgotten: Collection[int]) -> RestState:
-    """Return the state of a rest with what the program remembers: variables that keep their values while it lasts."""
-    first = bisect_right(trial.memory, rest.begin, key=itemgetter(0))
+    """Return the state of a rest with what the program remembers: variables that keep their values while it lasts.
+
+    The first pass of a loop may still set what leads there.
+    """
+    first = bisect_right(trial.memory, rest.begin + BODY, key=itemgetter(0))
     last = bisect_left(trial.memory, min(rest.end, trial.time), key=itemgetter(0))
     values = [each for _, each in trial.memory[max(first - 1, 0) : max(last, first)]]
     state = []

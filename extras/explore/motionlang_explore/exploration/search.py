@@ -65,7 +65,7 @@ from motionlang_explore.exploration.values import codes, is_probe, levels, perio
 from motionlang_explore.exploration.words import alarms_in, has_stopped, is_wrong, wrong
 
 # A variable with more values at rest counts or measures.
-MAX_REMEMBERED = 5
+MAX_REMEMBERED = 12
 # The depth of what is asked of a state whose place is known.
 LATE = 3
 
