@@ -75,12 +75,21 @@ SHOWN = _words(
     nl=r"\brood\b|\bgroen\b|zoemer|toeter",
 )
 ALARM = _words(
-    en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b|horn$|siren|buzzer",
-    de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b|hupe",
-    fr=r"d[ée]faut|rebut|rouge|mauvais|klaxon",
+    en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b",
+    de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b",
+    fr=r"d[ée]faut|rebut|rouge|mauvais",
     es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz|\bmal[oa]s\b",
     it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
     nl=r"storing|\bfout|\brood\b|\brode\b|afkeur|uitval",
+)
+# What sounds when something is wrong, or before the machine moves.
+SOUND = _words(
+    en=r"horn$|siren|buzzer",
+    de=r"hupe|sirene",
+    fr=r"klaxon|sir[èe]ne",
+    es=r"sirena",
+    it=r"sirena",
+    nl=r"toeter|zoemer",
 )
 # Of a level, in a good machine and in a bad one.
 GOOD = _words(
@@ -143,13 +152,9 @@ _STOPPED = _words(en=r"stopped|\bstop (?:pressed|button|key)")
 
 
 def alarms_in(names: Iterable[Named]) -> frozenset[int]:
-    """Return the outputs whose names in comments say that something is wrong, but for one that a sensor watches."""
-    known = [(each.kind, each.number, each.name.lower().split()) for each in names]
-    begins = {tuple(words[:k]) for _, _, words in known for k in range(1, len(words))}
+    """Return the outputs whose names in comments say that something is wrong."""
     return frozenset(
-        number
-        for kind, number, words in known
-        if kind in ("output", "channel") and ALARM.search(" ".join(words)) and tuple(words) not in begins
+        each.number for each in names if each.kind in ("output", "channel") and ALARM.search(each.name)
     )
 
 
@@ -165,7 +170,7 @@ def has_stopped(said: str) -> bool:
 
 def names_alarm(text: str) -> bool:
     """True if a text has a name of something that is on when something is wrong."""
-    return bool(ALARM.search(text))
+    return bool(ALARM.search(text) or SOUND.search(text))
 
 
 def speaks(said: str) -> bool:

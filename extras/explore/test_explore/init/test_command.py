@@ -260,7 +260,7 @@ PIECE = program(f"LOOP\nPAUSE INX.1\n{STROKE}PAUSE INX.1 = 0\nENDL\n")
         ),
         (
             "old.prg",
-            f"REM IN 0 jog  OUT 2 horn\nLOOP\nPAUSE INX.0\nOUTX.2 = 1\n{STROKE}OUTX.2 = 0\nPAUSE INX.0 = 0\nENDL\n",
+            f"REM IN 0 jog  OUT 2 fault\nLOOP\nPAUSE INX.0\nOUTX.2 = 1\n{STROKE}OUTX.2 = 0\nPAUSE INX.0 = 0\nENDL\n",
             1,
             [
                 "input 0 leads on from lines 3, 7",

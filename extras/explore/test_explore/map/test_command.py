@@ -212,7 +212,7 @@ def test_the_first_screen_has_the_cycle_its_start_and_its_alarms(cell: Cell) -> 
     begin = shown.index("Before you change anything")
     assert shown[begin - 2].endswith("lines more")
     assert shown[begin + 1 : begin + 4] == [
-        "  input 1 (start) on starts the cycle with input 2 (pressure ok) on; played with input 3 (reset) on",
+        "  input 1 (start) on starts the cycle with input 2 (pressure ok) on",
         "  nothing that was played cuts off a move to a target",
         "  output 2 (horn) comes by input 2 (pressure ok) off, line 5; ends by input 3 (reset) on",
     ]
