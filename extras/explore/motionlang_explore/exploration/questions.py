@@ -15,6 +15,7 @@ changes: an input to its other level, a number to the values at which the compar
                        first once for each line that moves an axis and what moves after it, late from each state
     as often           an input that is read again behind its change, at rest or in a move, comes and goes one to three
                        times, and as often as the comparisons ask for that differ by the same each time
+    other answers      an answer before, on which a comparison behind a later question has depended
 
 Cost. A number takes a trial with an unusual value to be solved. Of one statement not more than `MAX_TOGETHER`
 channels are combined; if all its inputs at once lead on, each that is needed takes some more trials to be told apart.
@@ -35,6 +36,7 @@ from motionlang_explore.exploration.trials import Trial, TrialMotion
 from motionlang_explore.exploration.values import (
     counts,
     first_write,
+    is_number,
     probe_of,
     solved,
     turning_at,
@@ -274,6 +276,20 @@ def _answers(explorer: Explorer, node: StateNode, visit: Visit) -> Iterator[Caus
         given.add(left[0])
         yield (first._replace(value=left[0]),)
     yield from _compared(explorer, node, visit, (), ("answer", 0), visit.question)
+
+
+def with_other_answers(
+    explorer: Explorer, visit: Visit, causes: Causes, trial: Trial
+) -> Iterator[tuple[StateNode, Causes]]:
+    """Yield a state that has asked before, with an answer at which a comparison of a trial turns, and those since."""
+    asking = {node.first.question: node for node in explorer.nodes.values()}
+    given = [*(change for _, change in visit.timeline), *causes]
+    for k, change in enumerate(given[: len(visit.timeline)]):
+        since = given[k + 1 :]
+        prompts = {one.prompt for one in given[k:] if one.table == "answer"}
+        if change.prompt in asking and is_number(change) and len(prompts) == len(since) + 1:
+            for other in solved(change, trial):
+                yield asking[change.prompt], (other, *since)
 
 
 # ------------------------------------------------------------------------------------------------------ in moves

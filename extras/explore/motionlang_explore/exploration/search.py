@@ -283,6 +283,9 @@ class Explorer:
         if more:
             further.append(questions.with_more(self, node, visit, causes, dict.fromkeys(more)))
         node.left += (Departure(visit, each, len(causes) + 1) for each in further)
+        if is_news:
+            for other, answers in questions.with_other_answers(self, visit, causes, trial):
+                other.left.append(Departure(other.first, iter((answers,)), len(answers)))
 
     def is_news(self, trial: Trial) -> bool:
         """True if a statement began or a comparison turned in a trial that no trial taken so far has seen."""

@@ -64,6 +64,11 @@ def is_probe(change: Change) -> bool:
     return change.table != "input" and change.value in (KEY, LEVEL, NUMBER, ANSWER)
 
 
+def is_number(change: Change) -> bool:
+    """True if the text of an answer is a number."""
+    return str(change.value).replace(".", "", 1).isdecimal()
+
+
 def solved(probe: Change, trial: Trial) -> list[Change]:
     """Return the values of a channel at which comparisons turn, from the trial with an unusual one."""
     probe = _as_read(probe, trial)

@@ -368,3 +368,27 @@ End Loop
     ran = cell("init", "old.mnt")
     assert ran.status == 1
     assert "no good piece was found: the best cycle prints 'TRIP 2'" in ran.err
+
+
+def test_an_answer_is_compared_behind_a_later_question(cell: Cell) -> None:
+    """A length of 10, a usual answer, is too short; it is asked for before the number of plies."""
+    cell.write(
+        "old.prg",
+        """\
+#JOB
+INPUT "length ",length
+INPUT "plies ",plies
+IF length < 500 OR length > 9000 THEN ? "not possible" : GOTO JOB
+WHILE plies > 0
+  MOVEA.0 = length : GO.0 : PAUSE IDLE.0
+  MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+  ? "ply laid"
+  plies = plies - 1
+ENDW
+GOTO JOB
+""",
+    )
+    assert cell("init", "old.prg", "--format", "none").status == 0
+    printed = cell("run", "old.prg").out
+    assert printed.count("ply laid") >= 3
+    assert "not possible" not in printed
