@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from motionlang.kernel import Source
 from motionlang.kernel.lang import NAME, PRINTS, WRITE, Named, Structure
@@ -28,6 +29,9 @@ from motionlang_explore.exploration.words import (
     names_alarm,
 )
 from motionlang_explore.identification import Entry
+
+if TYPE_CHECKING:
+    from motionlang_explore.exploration.trials import Trial
 
 # A sensor behind an output takes so long, s, and a push of a button.
 SOON, PUSH = 0.1, 1.0
@@ -67,11 +71,37 @@ class Likely:
         self._names: Mapping[tuple[str, int], str] = dict(names)
         self._before = _switched_before(structure, names)
         inputs = ((number, name) for (kind, number), name in names.items() if kind == "input")
-        # The statements of trouble, which a person resets, or which print how much was bad, and those that print how
-        # much was good. A button that starts as well has other pieces.
+        # A button that starts as well has other pieces.
         resets = {number for number, name in inputs if RESET.search(name) and "start" not in name.lower()}
-        self.trouble = _before_reset(structure, resets).union(_counting(structure, names_alarm))
+        self._resets = set(map(str, resets))
+        # The statements that print how much was bad, and how much was good.
+        self._bad = frozenset(_counting(structure, names_alarm))
         self.right = frozenset(_counting(structure, is_right))
+        # What was seen before a wait for a reset, and what before anything else, with True for a text.
+        self._led, self._passed = set[tuple[int, bool]](), set[tuple[int, bool]]()
+
+    def note(self, trial: Trial, structure: Structure) -> None:
+        """Take note of what a trial prints last, or switches, before a wait for a reset, and before anything else."""
+        for begun in trial.statements.values() if self._resets else ():
+            text, switched = set[tuple[int, bool]](), set[tuple[int, bool]]()
+            for at in (each.at for each in begun):
+                statement = structure.statements.get(at)
+                if statement is None or statement.waits == "time":
+                    continue
+                if statement.moves or statement.waits:
+                    inputs = {use.number for use in statement.channels if use.channel == "input"}
+                    (self._passed if inputs.isdisjoint(self._resets) else self._led).update(text, switched)
+                    text, switched = set(), set()
+                elif '"' in statement.text:
+                    text = {(at, True)}
+                elif statement.outputs:
+                    switched.add((at, False))
+
+    @property
+    def trouble(self) -> frozenset[int]:
+        """The statements that print how much was bad, and what always prints, or else switches, before a reset."""
+        led = self._led - self._passed
+        return self._bad.union({at for at, is_text in led if is_text} or (at for at, _ in led))
 
     def rules(self, number: int, *, by_name: bool = True) -> list[Entry]:
         """Return the rules of an input that its name and the outputs before it suggest, which come first without."""
@@ -143,32 +173,6 @@ def _counting(structure: Structure, means: Callable[[str], bool]) -> Iterator[in
         names = _NAMES.findall(each.form) if each.effect == PRINTS else ()
         if names and all(means(_WORD.sub(" ", name)) for name in names):
             yield at
-
-
-def _before_reset(structure: Structure, resets: Collection[int]) -> frozenset[int]:
-    """Return what prints, or else what switches, from where a program always comes to a wait for one of some inputs.
-
-    Nothing moves, no other input is waited for and nothing with parameters is called in between.
-    """
-    points, within = structure.points, structure.graph.within
-    loops, led = {points[p].at for p in structure.graph.closing}, set[int]()
-    for p in reversed(range(len(points))):
-        statement = structure.statements.get(points[p].at)
-        uses = () if statement is None else statement.channels
-        inputs = {use.number for use in uses if use.channel == "input"}
-        waits = statement is not None and statement.condition and (statement.waits or points[p].at in loops)
-        moves = statement is not None and statement.moves
-        if waits and inputs:
-            leads = not inputs.isdisjoint(map(str, resets))
-        elif moves or not within[p] or (points[p].calls >= 0 and points[p].calls not in within[p]):
-            leads = False
-        else:
-            leads = led.issuperset(within[p])
-        if leads:
-            led.add(p)
-    offsets = {points[p].at for p in led}
-    texts = {at for at, each in structure.statements.items() if at in offsets and '"' in each.text}
-    return frozenset(texts or offsets)
 
 
 def _stems(name: str) -> set[str]:

@@ -183,6 +183,7 @@ class Explorer:
 
         while True:
             trial = self.trials.play(timeline, since, is_enough)
+            self.likely.note(trial, self.program.structure)
             for at, found in trial.decided.items():
                 self.decided[at] |= found
             for channels in trial.readings.values():

@@ -343,11 +343,8 @@ RETURN
     assert (printed.count("print ok") > 16, "DOOR OPEN" in printed) == (True, False)
 
 
-def test_what_a_person_resets_is_no_good_piece(cell: Cell) -> None:
-    """Its words are of no kind, and no level is above 200 %."""
-    cell.write(
-        "old.mnt",
-        f"""\
+# What a person resets has words of no kind: no level is above 200 %, and a step waits for the reset elsewhere.
+AT_ONCE = f"""\
 ' IN 1 start  4 plate down  7 fault reset
 {RATES}
 Loop
@@ -363,11 +360,52 @@ Loop
   End If
   Pause Not INX(1)
 End Loop
-""",
-    )
+"""
+IN_A_STEP = f"""\
+' IN 1 start  4 plate down  7 fault reset
+{RATES}
+Dim nStep As Integer = 0
+Loop
+  Select Case nStep
+  Case 0
+    If INX(1) Then nStep = 1
+  Case 1
+    MOVER(0) = 20 : GO(0) : Pause IDLE(0)
+    OUTX(1) = 1 : Wait(500) : OUTX(1) = 0
+    If INX(4) And ADC(0) > 200 Then
+      Print "bullet on tray"
+      nStep = 2
+    Else
+      Print "TRIP 2"
+      nStep = 9
+    End If
+  Case 2
+    If Not INX(1) Then nStep = 0
+  Case 9
+    Pause INX(7)
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+    nStep = 2
+  End Select
+  Wait(5)
+End Loop
+"""
+
+
+@pytest.mark.parametrize("text", [AT_ONCE, IN_A_STEP], ids=["at once", "in a step"])
+def test_what_a_person_resets_is_no_good_piece(cell: Cell, text: str) -> None:
+    cell.write("old.mnt", text)
     ran = cell("init", "old.mnt")
     assert ran.status == 1
     assert "no good piece was found: the best cycle prints 'TRIP 2'" in ran.err
+
+
+def test_a_horn_before_each_move_is_no_alarm(cell: Cell) -> None:
+    cell.write(
+        "old.mnt",
+        f"' IN 1 start\n' OUT 1 horn\n{RATES}\nLoop\n  Pause INX(1)\n  OUTX(1) = 1 : Wait(400) : OUTX(1) = 0\n"
+        '  MOVER(0) = 20 : GO(0) : Pause IDLE(0)\n  Print "over"\n  Pause Not INX(1)\nEnd Loop\n',
+    )
+    assert cell("init", "old.mnt").status == 0
 
 
 def test_an_answer_is_compared_behind_a_later_question(cell: Cell) -> None:
