@@ -62,6 +62,7 @@ from motionlang_explore.exploration.exploring import (
 from motionlang_explore.exploration.rests import (
     SHORTEST_REST,
     RestState,
+    TaskRest,
     lines_of,
     statements_of,
     without_memory,
@@ -112,6 +113,7 @@ __all__ = [
     "Progress",
     "RestState",
     "StateNode",
+    "TaskRest",
     "Timeline",
     "Transition",
     "Trial",

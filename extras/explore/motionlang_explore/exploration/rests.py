@@ -74,17 +74,21 @@ class _Stay(NamedTuple):
     question: str | None = None
 
 
-def lines_of(state: RestState | None, line: Callable[[int], int]) -> str:
-    """Return the lines of a state, with those of the calls that lead there; `line` is that of a source offset."""
+def lines_of(state: RestState | None, line: Callable[[int], int], most: float = inf) -> str:
+    """Return the lines of a state, with those of the calls that lead there; `line` is that of a source offset.
+
+    Of more ranges of lines than `most` only the first and the last one are named.
+    """
     if state is None:
         return "power-up"
-    return " and ".join(_place(each, line) for each in state)
+    return " and ".join(_place(each, line, most) for each in state)
 
 
-def _place(place: TaskRest, line: Callable[[int], int]) -> str:
-    lines = ranges(line(at) for at in place.statements)
+def _place(place: TaskRest, line: Callable[[int], int], most: float) -> str:
+    lines = ranges(line(at) for at in place.statements).split(", ")
+    shown = ", ".join(lines if len(lines) <= most else [lines[0], "…", lines[-1]])
     calls = ", ".join(str(line(at)) for at in place.callers)
-    return f"{lines} called in {calls}" if calls else lines
+    return f"{shown} called in {calls}" if calls else shown
 
 
 def statements_of(state: RestState, structure: Structure) -> str:

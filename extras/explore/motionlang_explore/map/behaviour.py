@@ -6,12 +6,12 @@ happens by itself all the same.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Hashable, Iterable, Iterator, Sequence
+from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import inf
 from operator import attrgetter
+from typing import NamedTuple
 
 from motionlang.comparison.texts import described, plain, without_figures
 from motionlang.kernel import Run
@@ -26,12 +26,10 @@ from motionlang_explore.exploration import (
     Transition,
     entries,
     is_probe,
-    lines_of,
-    statements_of,
-    without_memory,
 )
 from motionlang_explore.map.cautions import CautionRow, cautions
 from motionlang_explore.map.names import ReaderNames
+from motionlang_explore.map.state_names import StateNames
 from motionlang_explore.map.units import Reachability, UnreachedRow
 
 # What a task waits for, by cause.
@@ -44,7 +42,7 @@ CAUSES = {
     "host": "a host",
     "condition": "a condition",
 }
-# So many variables that tell two rows apart are named.
+# So many inputs and variables that tell two rows apart are named.
 MAX_DECIDING = 3
 # A wait that is shorter is not shown, and what happens so soon after something else happens then, s.
 SHORTEST = 0.001
@@ -165,117 +163,136 @@ def behaviour_of(
     )
 
 
+class _Seen(NamedTuple):
+    """The state from which something was seen, the state that followed, the changes, and the levels of the inputs."""
+
+    source: RestState | None
+    target: RestState | None
+    causes: Sequence[Change] = ()
+    levels: Mapping[int, float] = {}
+
+    def needs(self, others: Sequence[_Seen]) -> bool:
+        """True if it needs more changes than others, each of which was made before all of these."""
+        return set(self.causes) > set(others[0].causes) and all(
+            one.table == "input" and each.levels.get(one.number, 0.0) == one.value
+            for each in others
+            for one in set(self.causes).difference(each.causes)
+        )
+
+
 class _Words:
     """The states and transitions of an exploration in words."""
 
     def __init__(self, exploration: Exploration, structure: Structure, names: ReaderNames) -> None:
         self.exploration, self.names = exploration, names
         self.structure = structure
-        given = [node.state for node in exploration.nodes]
-        self.usual = _usual(given)
-        # States that have the same name without their usual places, or with them, differ by their statements.
-        self._names: dict[RestState | None, str] = {}
-        for parts in (self.unusual, lambda state: state):
-            lines = {state: lines_of(state and parts(state), structure.line) for state in given}
-            places = {(name, without_memory(state)) for state, name in lines.items()}
-            often = Counter(name for name, _ in places)
-            for state, name in lines.items():
-                if often[name] == 1:
-                    self._names.setdefault(state, name)
-        for state, name in lines.items():
-            self._names.setdefault(state, f"{name} ({statements_of(state or (), structure)})")
+        self.state_names = StateNames(exploration.nodes, structure)
         self._commanding = {each.line for each in structure.statements.values() if not each.is_silent}
         # The handlers that the change of a channel starts, by the name of the channel.
         self.started = {
             f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
         }
 
-    def unusual(self, state: RestState) -> RestState:
-        """Return a state without the places where its tasks usually rest; all of it if nothing is left."""
-        return tuple(each for each in state if each._replace(memory=()) not in self.usual) or state
-
     def remarks(self) -> list[str]:
-        """Return where tasks wait in states that say nothing else, and which inputs read 0 when they are on."""
-        found = [
-            f"unless said otherwise, {each.task} waits in {lines_of((each,), self.structure.line)}: "
-            f"{statements_of((each,), self.structure)}"
-            for each in self.usual
-        ]
+        """Return what is repeated in most states, and which inputs read 0 when they are on."""
         low = sorted(self.exploration.world.run.controller.inputs.active_low)
         named = [self.names[subject] for n in low if (subject := f"input {n}") in self.names]
-        return (
-            [*found, f"active low, so the program reads 0 when it is on: {', '.join(named)}"]
-            if named
-            else found
-        )
-
-    def lines(self, state: RestState | None) -> str:
-        """Return the name of a state: its lines, with the calls that lead there."""
-        return self._names[state]
+        inverted = [f"active low, so the program reads 0 when it is on: {', '.join(named)}"] if named else []
+        return [*self.state_names.remarks(), *inverted]
 
     def states(self) -> list[StateRow]:
-        """Return the states, those of the cycle first; of those at the same place one, with what makes a difference."""
-        places: dict[RestState | None, list[StateNode]] = {}
-        for node in self.exploration.nodes:
-            places.setdefault(without_memory(node.state), []).append(node)
-        cycle = {without_memory(state): None for state in self.exploration.world.cycle.states}
-        first = dict.fromkeys((None, *cycle, *places))
-        return [self.state(places[place], place in cycle) for place in first if place in places]
+        """Return the states, those of the cycle first; of those with one name one, with what makes a difference."""
+        groups = {self.state_names[group[0].state]: group for group in self.state_names.groups}
+        cycle = {self.state_names[state]: None for state in self.exploration.world.cycle.states}
+        first = dict.fromkeys((self.state_names[None], *cycle, *groups))
+        return [self.state(groups[name], name in cycle) for name in first if name in groups]
 
     def state(self, nodes: Sequence[StateNode], is_in_cycle: bool) -> StateRow:
         """Return a state with what leads on from it, but for handlers; `nodes` differ in what the program remembers."""
-        found: dict[Hashable, tuple[TransitionRow, list[StateNode]]] = {}
+        found: dict[tuple[str, Hashable], tuple[TransitionRow, list[_Seen]]] = {}
         for node in nodes:
-            shown = [each for each in kept(node.transitions) if not self.handler(each)]
-            ways = [(self.way(each, shown), _once(each.does)) for each in shown]
-            ways += [(row, tuple(map(without_figures, row.then))) for row in self.refused(node)]
-            for row, does in ways:
-                first, its = found.setdefault((row.until, row.to, does), (row, []))
+            ways = [
+                (
+                    self.way(each),
+                    _once(each.does),
+                    _Seen(each.source, each.target, each.causes, each.visit.levels),
+                )
+                for each in self.kept(node)
+                if not self.handler(each)
+            ]
+            seen = _Seen(node.state, node.state)
+            ways += [(row, tuple(map(without_figures, row.then)), seen) for row in self.refused(node)]
+            for row, does, seen in ways:
+                first, its = found.setdefault((row.until, (row.to, does, not row.then)), (row, []))
                 first.lines |= row.lines
-                its.append(node)
-        rows = list(found.values())
-        decides = [
-            self.deciding(
-                seen,
-                [
-                    each
-                    for other, its in rows
-                    if other is not row and other.until == row.until
-                    for each in its
-                ],
-            )
-            for row, seen in rows
+                its.append(seen)
+        rows = [
+            (row, its)
+            for (_, leads), (row, its) in found.items()
+            if not any(others[0].needs(its) for (_, same), (_, others) in found.items() if same == leads)
         ]
+        others = [
+            [each for other, its in rows if other is not row and other.until == row.until for each in its]
+            for row, _ in rows
+        ]
+        decides = [self.deciding(its, theirs) for (_, its), theirs in zip(rows, others, strict=True)]
         for (row, _), text in zip(rows, decides, strict=True):
             row.until += f", seen with {text}" if text else ""
-        transitions = [row for row, _ in rows]
-        state = nodes[0].state
+        state, name = nodes[0].state, self.state_names[nodes[0].state]
+        # Nothing is seen of what leads to the same state, does nothing, and is not remembered.
+        transitions = [row for row, _ in rows if row.to != name or row.then]
         if state is None:
-            return StateRow("power-up", "", (), transitions, is_in_cycle)
+            return StateRow(name, "", (), transitions, is_in_cycle)
         reads = dict.fromkeys(
             self.names[each] for node in nodes for each in self.exploration.reads(node.state or ())
         )
-        statement = statements_of(self.unusual(state), self.structure)
-        lines = frozenset(self.structure.line(at) for place in self.unusual(state) for at in place.statements)
-        return StateRow(self.lines(state), statement, list(reads), transitions, is_in_cycle, lines)
+        shown_at = self.state_names.shown(state) or ()
+        lines = frozenset(self.structure.line(at) for place in shown_at for at in place.statements)
+        return StateRow(name, self.state_names.statement(state), list(reads), transitions, is_in_cycle, lines)
 
-    def deciding(self, nodes: Iterable[StateNode], others: Iterable[StateNode]) -> str:
-        """Return the variables that some states have with other values than others, such as "good = 0"; "" for none."""
-        mine, theirs = (list(map(_memory, found)) for found in (nodes, others))
+    def deciding(self, mine: Sequence[_Seen], theirs: Sequence[_Seen]) -> str:
+        """Return the inputs and variables whose values one thing was seen with, and others not, or not always."""
+        if not theirs:
+            return ""
+        read = {each for one in (*mine, *theirs) for each in self.exploration.reads(one.target or ())}
+        channels = sorted({channel for one in (*mine, *theirs) for channel in one.levels})
         found = []
-        for number in mine[0] if theirs else ():
-            values = dict.fromkeys(each.get(number) for each in mine)
-            if not values.keys() & {each.get(number) for each in theirs}:
-                name = self.structure.variables.get(number, "?")
-                shown = (f"{each:.6g}" if isinstance(each, (bool, float)) else str(each) for each in values)
-                # A state remembers only if an answer is 0.
-                is_any = any(each is True for each in values)
-                found.append(f"{name} is not 0" if is_any else f"{name} = {' or '.join(shown)}")
-        return " and ".join(found[:MAX_DECIDING])
+        for channel in (each for each in channels if f"input {each}" in read):
+            levels, others = ({one.levels.get(channel, 0.0) for one in some} for some in (mine, theirs))
+            if len(levels) == 1 and others - levels:
+                found.append(self.names.of(Change("input", channel, levels.pop())))
+        sources = ([one.source for one in some] for some in (mine, theirs))
+        return " and ".join([*found, *self.state_names.deciding(*sources)][:MAX_DECIDING])
 
-    def way(self, each: Transition, others: Sequence[Transition]) -> TransitionRow:
-        to = "the end" if each.target is None else self.lines(each.target)
-        return TransitionRow(self.until(each, others), self.then(each), each.seconds, to, self.run(each))
+    def way(self, each: Transition) -> TransitionRow:
+        then = [*self.then(each), *self.state_names.changed(each.source, each.target)]
+        return TransitionRow(self.until(each), then, each.seconds, self.to(each.target), self.run(each))
+
+    def to(self, target: RestState | None) -> str:
+        """Return the name of the state to which something leads."""
+        return "the end" if target is None else self.state_names[target]
+
+    def kept(self, node: StateNode) -> list[Transition]:
+        """Return transitions, those with fewer changes first, without those that happen by fewer, or none, as well."""
+        given = sorted(node.transitions, key=lambda each: len(each.causes))
+        return [each for each in given if not any(self.replaces(other, each) for other in given)]
+
+    def replaces(self, other: Transition, each: Transition) -> bool:
+        """True if the same happens by fewer changes, or by itself before the changes make a difference."""
+        names = self.state_names
+        leads, others = (
+            (self.to(one.target), names.changed(one.source, one.target)) for one in (each, other)
+        )
+        if leads != others or not set(other.causes) < set(each.causes):
+            return False
+        if other.does == each.does:
+            return True
+        waited = each.visit.change_time - each.visit.time
+        return (
+            not other.causes
+            and other.lines == each.lines
+            and abs(other.seconds - each.seconds - waited) < SHORTEST
+        )
 
     def refused(self, node: StateNode) -> Iterator[TransitionRow]:
         """Yield what happens with answers after which the program asks again; of the same several once."""
@@ -290,25 +307,10 @@ class _Words:
             then = [self.names.of(act) for act in node.refused[first]]
             yield TransitionRow(until, then, 0.0, "the same question")
 
-    def until(self, each: Transition, others: Sequence[Transition]) -> str:
-        """Return what leads on, with the other values that do the same, and with levels that make a difference."""
-        if not each.causes:
-            found = "by itself"
-        else:
-            given = [one for causes in each.variants for one in causes]
-            found = " and ".join(self.values(one, given) for one in each.causes)
-        levels, read = each.visit.levels, set(self.exploration.reads(each.target or ()))
-        differing: dict[str, None] = {}
-        for other in others:
-            if other is not each and other.causes == each.causes:
-                others_levels = other.visit.levels
-                differing |= dict.fromkeys(
-                    self.names.of(Change("input", channel, levels.get(channel, 0.0)))
-                    for channel in sorted({*levels, *others_levels})
-                    if f"input {channel}" in read | set(self.exploration.reads(other.target or ()))
-                    and levels.get(channel, 0.0) != others_levels.get(channel, 0.0)
-                )
-        return f"{found}, seen with {' and '.join(differing)}" if differing else found
+    def until(self, each: Transition) -> str:
+        """Return what leads on, with the other values that do the same."""
+        given = [one for causes in each.variants for one in causes]
+        return " and ".join(self.values(one, given) for one in each.causes) or "by itself"
 
     def run(self, each: Transition) -> frozenset[int]:
         """Return the lines that a transition runs; a line with commands does not run where its macro is defined."""
@@ -327,9 +329,9 @@ class _Words:
         """Return a change, with the other values of the same channel among some."""
         same = (change.table, change.number, change.prompt)
         values = dict.fromkeys(
-            str(one.value)
+            ("on" if one.value else "off") if one.table == "input" else str(one.value)
             for one in others
-            if (one.table, one.number, one.prompt) == same and one != change and not is_probe(one)
+            if (one.table, one.number, one.prompt) == same and one.value != change.value and not is_probe(one)
         )
         return self.names.of(change) + (f" (or {', '.join(values)})" if values else "")
 
@@ -347,7 +349,7 @@ class _Words:
         """
         found: dict[Hashable, HandlerRow] = {}
         for node in self.exploration.nodes:
-            for each in kept(node.transitions):
+            for each in self.kept(node):
                 unit = self.handler(each)
                 if not unit:
                     continue
@@ -356,12 +358,11 @@ class _Words:
                 then = [self.names.of(act) for act in acts]
                 if each.target == node.state and not then:
                     continue  # nothing is seen of it
-                to = "the end" if each.target is None else self.lines(each.target)
-                to = "the same state" if each.target == node.state else to
+                to = "the same state" if each.target == node.state else self.to(each.target)
                 key = unit, start, to, tuple((act.subject, without_figures(act.words)) for act in acts)
                 meets = max(change.moment.line for change in each.causes)
                 row = found.setdefault(key, HandlerRow(unit, start, then, {}, to, meets, self.run(each)))
-                row.states[self.lines(node.state)] = None
+                row.states[self.state_names[node.state]] = None
         rows = sorted(
             found.values(), key=lambda each: (-len(each.states), each.unit, len(each.start), each.start)
         )
@@ -386,7 +387,7 @@ class _Words:
                 if each.causes in each.variants:
                     acts = [self.names.of(act) for act in exploration.acts(trial, cycle.visit.time)]
                     instead = " and ".join(map(self.names.of, each.causes))
-                    found.append(ChoiceRow(instead, self.lines(each.source), acts))
+                    found.append(ChoiceRow(instead, self.state_names[each.source], acts))
         return found
 
 
@@ -395,43 +396,12 @@ def _once(does: Effect) -> Hashable:
     return does._replace(moves=tuple(dict.fromkeys(does.moves)))
 
 
-def _usual(states: Sequence[RestState | None]) -> RestState:
-    """Return where tasks rest in more than half of the states, of a machine with several tasks."""
-    places = Counter(each for state in states if state is not None for each in without_memory(state) or ())
-    return tuple(each for each, count in places.items() if len(states) > 2 and 2 * count > len(states))
-
-
-def _memory(node: StateNode) -> dict[int, object]:
-    """Return the values of the variables that a program remembers in a state, by their numbers."""
-    return dict(pair for place in node.state or () for pair in place.memory)
-
-
 def _after(each: Transition) -> list[Act]:
     """Return what happens from the last change of a transition on, and before it the move that it meets."""
     last = max(each.causes, key=lambda change: change.moment.delay)
     time = each.visit.change_time + last.moment.delay
     before = [act for act in each.acts if act.time < time and act.subject == f"axis {last.moment.axis}"]
     return [*before[-1:], *(act for act in each.acts if act.time >= time)]
-
-
-def kept(transitions: Iterable[Transition]) -> list[Transition]:
-    """Return the transitions with fewer changes first, without those that happen by fewer changes, or none, as well."""
-    given = sorted(transitions, key=lambda each: len(each.causes))
-    return [each for each in given if not any(_replaces(other, each) for other in given)]
-
-
-def _replaces(other: Transition, each: Transition) -> bool:
-    """True if the same happens by fewer changes, or by itself before the changes make a difference."""
-    if other.target != each.target or not set(other.causes) < set(each.causes):
-        return False
-    if other.does == each.does:
-        return True
-    waited = each.visit.change_time - each.visit.time
-    return (
-        not other.causes
-        and other.lines == each.lines
-        and abs(other.seconds - each.seconds - waited) < SHORTEST
-    )
 
 
 # ------------------------------------------------------------------------------------------------------- the cycle

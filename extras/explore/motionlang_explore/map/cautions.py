@@ -7,7 +7,7 @@ time-out if nothing came by itself while it lasted.
 from __future__ import annotations
 
 import re
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -94,7 +94,12 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     path = [*ways[first.source], first]
     begin = next((k for k, each in enumerate(path) if without_memory(each.source) in back), 0)
     given = entries(exploration.world.settings, "input")
-    always = {f"input {each['channel']}" for each in given if each.keys() <= {"channel", "at"}}
+    once = Counter(each["channel"] for each in given)
+    always = {
+        f"input {each['channel']}"
+        for each in given
+        if each.keys() <= {"channel", "at", "value"} and each.get("value", 1) and once[each["channel"]] == 1
+    }
     follows = {f"input {each['channel']}" for each in given if each.keys() & {"output", "axis"}}
     made = [[one for one in each.causes if not one.moment.line] for each in path]
     # What is left on starts nothing, nor what follows an output, unless nothing else is changed.
@@ -163,7 +168,7 @@ def _alarms(
     )
     for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
-        steps = () if played else ends.of(signs, "; ".join(whys))
+        steps = () if played else ends.of(signs, "; ".join(whys), is_alarm=not is_only_said)
         back = (
             f"; ends by {', then '.join(' and '.join(map(names.of, step)) for step in steps)}"
             if steps

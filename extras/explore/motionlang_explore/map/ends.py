@@ -59,6 +59,8 @@ class Ends:
         self._values: dict[Channel, dict[Change, None]] = defaultdict(dict)
         for each in (one for node in exploration.nodes for way in node.transitions for one in way.causes):
             self._values[each.channel][each] = None
+        # The ends that were found: a lamp has that of its text.
+        self._known: dict[Steps, None] = {}
         alarms = {each.at for each in signs}
         self._good = {*exploration.world.cycle.states, *self._without(alarms)} - {None}
 
@@ -74,36 +76,40 @@ class Ends:
                     queue.append(each.target)
         return set(found)
 
-    def of(self, signs: Collection[Statement], why: str) -> Steps | None:
-        """Return the changes that end the alarm of some statements, none if it ends by itself.
+    def of(self, signs: Collection[Statement], why: str, *, is_alarm: bool) -> Steps | None:
+        """Return the changes that end what some statements say, none if it ends by itself.
 
         Of changes that can stand for each other those are left that the reason `why` it comes names. None if nothing
-        that was played has ended it.
+        that was played has ended it. What ends one alarm is tried last with the next one.
         """
         alarm = _Alarm(self._exploration, signs, self._good)
         ways = (
-            each for node in self._exploration.nodes for each in node.transitions if alarm.at & each.begun
+            each
+            for node in self._exploration.nodes
+            for each in node.transitions
+            if alarm.at & each.begun.union(*(place.statements for place in each.target or ()))
         )
         first = min(ways, key=lambda each: (len(each.causes), len(each.visit.timeline)), default=None)
         if first is None or first.target is None:
             return ()
-        if self._is_out_of_work:
+        known = tuple(self._known) if is_alarm else ()
+        if self._is_out_of_work and not known:
             return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
         alarm.begins(start.played, first)
         if alarm.is_over(start.played, has_come=False):
             return ()
         for begin in dict.fromkeys((self._restored(start, alarm), alarm.undone, ())):
-            found = self._found(start, (begin,) if begin else (), alarm)
+            found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
             if found is not None:
-                return self._needed(start, found, alarm, why)
-        return None
+                steps = self._needed(start, found, alarm, why)
+                self._known[steps] = None
+                return steps
+        return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
 
     def _found(self, start: _Reached, begin: Steps, alarm: _Alarm) -> Steps | None:
         """Return the fewest steps behind some that end an alarm; None if none of those that were tried do."""
-        here = start
-        for step in begin:
-            here = self._changed(start, step)
+        here = self._after(start, begin)
         if begin and alarm.is_over(here.played):
             return begin
         tried, known, queue = 0, set[object](), deque([(begin, here)])
@@ -141,6 +147,11 @@ class Ends:
             return _Reached(played, None)
         return _Reached(played, Visit(timeline, max(last.begin, since), last.end, question=last.question))
 
+    def _after(self, here: _Reached, steps: Steps) -> _Reached:
+        for step in steps:
+            here = self._changed(here, step)
+        return here
+
     def _changed(self, here: _Reached, step: Step) -> _Reached:
         if here.visit is None or not step:
             return here
@@ -168,10 +179,7 @@ class Ends:
         changes = [(k, change) for k, step in enumerate(steps) for change in step]
         for k, change in sorted(changes, key=lambda each: self._names[each[1].subject] in why):
             less = (*steps[:k], tuple(one for one in steps[k] if one != change), *steps[k + 1 :])
-            here = start
-            for each in less:
-                here = self._changed(here, each)
-            if any(less) and alarm.is_over(here.played):
+            if any(less) and alarm.is_over(self._after(start, less).played):
                 steps = less
         return tuple(filter(None, steps))
 
@@ -213,12 +221,12 @@ class _Alarm:
         Unless it `has_come` before, it has to come first.
         """
         trial, run, rests = played
-        back = [
-            each.begin
-            for each in rests
-            if each.state in self._good or without_memory(each.state) in self._places
-        ]
-        back += [each.begin for each in trial.moves if each.line in self._cycle.work]
+        good = [each.state in self._good or without_memory(each.state) in self._places for each in rests]
+        back = [each.begin for each, is_good in zip(rests, good, strict=True) if is_good]
+        for move in (each for each in trial.moves if each.line in self._cycle.work):
+            # It may still be on its way to where the alarm is shown.
+            comes = (is_good for each, is_good in zip(rests, good, strict=True) if each.begin >= move.begin)
+            back += [move.begin] if next(comes, True) else []
         said = [one.time for some in trial.statements.values() for one in some if one.at in self._said]
         return any(
             not any(time <= one < time + AWHILE for one in said) and not self._is_on(run, time)

@@ -228,6 +228,36 @@ END
 RETURN
 """
 
+# A lamp that each scan writes while a step waits for its reset, behind two texts of which a move is still made.
+LAMP = """\
+REM IN 1 start  2 door shut  3 vacuum ok  4 reset
+REM OUT 1 vacuum  4 fault lamp
+SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000
+phase = 0
+LOOP
+  IF phase = 0 AND INX.1 AND INX.2 DO
+    OUTX.1 = 1 : tt = TIME : phase = 1
+  ENDIF
+  IF phase = 1 DO
+    IF INX.3 THEN phase = 2
+    IF phase = 1 AND TIME - tt > 2000 THEN ? "FAULT: no vacuum" : phase = 9
+  ENDIF
+  IF phase = 2 DO
+    MOVEA.0 = 50 : GO.0 : PAUSE IDLE.0
+    IF INX.3 = 0 THEN ? "FAULT: dropped" : phase = 9
+    IF phase = 2 THEN ? "PART OK" : phase = 3
+    MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+    OUTX.1 = 0
+  ENDIF
+  IF phase = 3 AND INX.1 = 0 THEN phase = 0
+  IF phase = 9 DO
+    OUTX.1 = 0 : OUTX.4 = 1
+    IF INX.4 THEN OUTX.4 = 0 : phase = 3
+  ENDIF
+  WAIT = 5
+ENDL
+"""
+
 
 @pytest.mark.parametrize(
     ("name", "text", "lines"),
@@ -302,6 +332,17 @@ RETURN
             id="times",
         ),
         pytest.param("a.mnt", GAUGE, ["'short ones' comes by input 6 off, line 5"], id="gauge"),
+        pytest.param(
+            "a.prg",
+            LAMP,
+            [
+                "'FAULT: no vacuum' comes 2 s after line 7 without input 3 (vacuum ok) on; ends by input 4 (reset) on",
+                "'FAULT: dropped' comes by input 3 (vacuum ok) off, line 15 (not played)",
+                "output 4 (fault lamp) comes 2 s after line 7 without input 3 (vacuum ok) on or input 3 "
+                "(vacuum ok) off, line 15; ends by input 4 (reset) on",
+            ],
+            id="lamp",
+        ),
         pytest.param(
             "a.prg",
             FLAGS,

@@ -85,11 +85,11 @@ QUESTIONS = {
         "what is input 2?": ["input 2 GRIPPER SHUT in 74"],
         "what must be there before it fetches a bag?": [
             "waits in 41-45: KY = INKEY [a key, input 4 (STOP BUTTON), input 3 (AIR OK), input 1 (PALLET IN PLACE)]",
-            "input 1 (PALLET IN PLACE) on → 41-47",
+            "input 1 (PALLET IN PLACE) on → 41-45, 47",
             "input 0 (BAG AT PICK) on → 73, 74 called in 49, 1.45 s: axis 0 (X) to 0",
         ],
         "what does the key R do?": [
-            "and key R → 41-47, 0.00 s: output 1 (PALLET CLAMP) on; output 1 (PALLET CLAMP) off"
+            "and key R → 41-45, 47, 0.00 s: output 1 (PALLET CLAMP) on; output 1 (PALLET CLAMP) off"
         ],
         "what if there is no air?": [
             "input 3 (AIR OK) off → 121, 0.00 s: output 3 (RED LAMP) on; 'NO AIR'",
@@ -141,10 +141,10 @@ QUESTIONS = {
     "dispenser.mccl": {
         "what is input 5?": ["input 5 cartridge empty in"],
         "what does it wait for between parts?": [
-            "waits in 23 called in 60: IN4 [input 4 (two hand start)] input 4 (two hand start) on → 22-24"
+            "waits in 23 called in 60: IN4 [input 4 (two hand start)] input 4 (two hand start) on → 23, 24"
         ],
         "what if no fixture is loaded?": [
-            "waits in 22-24 called in 60: CN34",
+            "waits in 23, 24 called in 60: IN4",
             "input 1 (fixture loaded) on → 27",
         ],
         "which register has the shot?": ["24 shot register 52 1000 (52) 33", "moves MR = @24 computed 33"],
