@@ -86,9 +86,11 @@ class Likely:
             text, switched = set[tuple[int, bool]](), set[tuple[int, bool]]()
             for at in (each.at for each in begun):
                 statement = structure.statements.get(at)
-                if statement is None or statement.waits == "time":
+                if statement is None:
                     continue
-                if statement.moves or statement.waits:
+                if statement.waits == "time":
+                    switched.clear()  # the text alone may have been printed some passes before
+                elif statement.moves or statement.waits:
                     inputs = {use.number for use in statement.channels if use.channel == "input"}
                     (self._passed if inputs.isdisjoint(self._resets) else self._led).update(text, switched)
                     text, switched = set(), set()
