@@ -54,6 +54,7 @@ from motionlang_explore.exploration.changes import (
 from motionlang_explore.exploration.cycles import MachineCycle
 from motionlang_explore.exploration.exploration import Exploration, PlayedTimeline
 from motionlang_explore.exploration.exploring import (
+    PIECE,
     SECONDS,
     explore,
     explored,
@@ -93,6 +94,7 @@ from motionlang_explore.identification import Entry
 __all__ = [
     "HORIZON",
     "LENGTH",
+    "PIECE",
     "SECOND",
     "SECONDS",
     "SHORTEST_MOVE",

@@ -115,11 +115,14 @@ class Exploration:
         """Return the changes in the middle of a move that cut off moves, with the lines of these moves.
 
         A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out, and what
-        the cycle cuts off. Of several changes each is charged with what none of the others cuts off by itself.
+        a good cycle cuts off. Of several changes each is charged with what none of the others cuts off by itself, and
+        an input that comes and goes from an earlier state on with nothing.
         """
         usual, done = set[int](), set[int]()
         trials: list[tuple[set[Change], set[Change], set[int]]] = []
         for each in (each for node in self.nodes for each in node.transitions):
+            if any(one.moment.line for _, one in each.visit.timeline):
+                continue
             cut = {line for line, ended in each.does.moves if ended}
             changes = {one._replace(prompt="", moment=AT_REST) for one in each.causes if one.moment.line}
             if changes:
@@ -128,7 +131,7 @@ class Exploration:
                 usual |= cut
                 done |= each.done
         usual -= done
-        for each in self.world.cycle.transitions:
+        for each in () if self.fault_of(self.world.run) else self.world.cycle.transitions:
             usual |= {line for line, ended in each.does.moves if ended}
         movable = set[Change]().union(*(changes for changes, *_ in trials))
         found: dict[Change, set[int]] = defaultdict(set)

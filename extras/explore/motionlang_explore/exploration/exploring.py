@@ -19,8 +19,8 @@ from motionlang_explore.exploration.trials import (
     Interrupted,
 )
 
-# An exploration takes so long on an ordinary core, s.
-SECONDS = 5.0
+# An exploration takes so long on an ordinary core, s, and one that shows what a good piece is so long at most.
+SECONDS, PIECE = 5.0, 30.0
 # The share of the work before a long run in the world, and that behind what each of some such runs comes to; what is
 # left of the share of the search is for the rest.
 FIRST, BEHIND, FURTHER = 0.3, 0.05, 4
@@ -34,12 +34,14 @@ def explore(
     used: Callable[[], float] = lambda: 0.0,
     progress: Progress = lambda share, playing: None,
     keeps: bool = False,
+    most: float = 0.0,
 ) -> Exploration:
     """Explore a program, a debug build, in a world with the settings that a person gave.
 
-    It does the work of so many `seconds` of an ordinary core. `used` returns the share of the user's time that is over,
-    by which it ends. `progress` is called with the share of the work and what is played. Raises Interrupted, with the
-    run, at Ctrl-C; with `keeps` the first one ends the search, and `interrupted` has that run.
+    It does the work of so many `seconds` of an ordinary core, of up to `most` where no good piece is found. `used`
+    returns the share of the user's time that is over, by which it ends. `progress` is called with the share of the work
+    and what is played. Raises Interrupted, with the run, at Ctrl-C; with `keeps` the first one ends the search, and
+    `interrupted` has that run.
     """
     work = seconds * SECOND
     explorer = Explorer(program, machine or {}, work, used, progress)
@@ -53,6 +55,9 @@ def explore(
             found = Exploration(explorer, before=found)
         if used() < SEARCH:
             found.world = better_world(explorer, found.world, found.cycles)
+            if most > seconds and used() < SEARCH and found.fault_of(found.world.run):
+                explorer.whole = explorer.trials.limit = most * SECOND
+                found.world = better_world(explorer, found.world, found.cycles)
     except Interrupted as at:
         if not keeps:
             raise

@@ -35,7 +35,7 @@ from motionlang.kernel import (
 )
 from motionlang.kernel.files import create, replacing
 from motionlang.kernel.tools import count_of, nearest, need
-from motionlang_explore.exploration import Entry, Exploration, explore
+from motionlang_explore.exploration import PIECE, Entry, Exploration, explore
 from motionlang_explore.init import Draft, choices, cycle_text, draft, small_program
 from motionlang_explore.init.file import also_fitting, leading, machine_text, path_text
 from motionlang_explore.init.summary import motionless, notes
@@ -49,8 +49,6 @@ if TYPE_CHECKING:  # which need numpy
 
 # The time limit of the machine file, s: a production loop has no end of its own.
 UNTIL = 300.0
-# It plays as much as an ordinary core does in so many seconds, since a machine file is written once.
-PLAYED = 30.0
 # So many cycles are asked about.
 MAX_ASKED = 3
 
@@ -126,7 +124,7 @@ examples:
         "write the world of the N-th cycle that the head of the file names",
         read=whole("a number of a cycle, from 1", 1, 1000),
     )
-    seconds: float | None = seconds_option(PLAYED)
+    seconds: float | None = seconds_option(PIECE)
 
     def check(self) -> None:
         super().check()
@@ -315,7 +313,7 @@ examples:
         """Play a program in a world with the settings that a person gave, and return the draft of its machine file."""
         with playing(program.source.name) as progress:
             exploration = explore(
-                program, given, progress=progress, keeps=True, **play_time(self.seconds, PLAYED)
+                program, given, progress=progress, keeps=True, **play_time(self.seconds, PIECE)
             )
         if exploration.interrupted is not None:
             return Draft(exploration, exploration.world, exploration.interrupted, given)

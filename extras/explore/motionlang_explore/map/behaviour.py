@@ -233,7 +233,8 @@ class _Words:
         ]
         others = [
             [each for other, its in rows if other is not row and other.until == row.until for each in its]
-            for row, _ in rows
+            + [_Seen(node.state, node.state, levels=node.first.levels) for node in nodes if _fails(node, its)]
+            for row, its in rows
         ]
         decides = [self.deciding(its, theirs) for (_, its), theirs in zip(rows, others, strict=True)]
         for (row, _), text in zip(rows, decides, strict=True):
@@ -255,7 +256,8 @@ class _Words:
         if not theirs:
             return ""
         read = {each for one in (*mine, *theirs) for each in self.exploration.reads(one.target or ())}
-        channels = sorted({channel for one in (*mine, *theirs) for channel in one.levels})
+        changed = {change.number for change in mine[0].causes if change.table == "input"}
+        channels = sorted({channel for one in (*mine, *theirs) for channel in one.levels} - changed)
         found = []
         for channel in (each for each in channels if f"input {each}" in read):
             levels, others = ({one.levels.get(channel, 0.0) for one in some} for some in (mine, theirs))
@@ -389,6 +391,15 @@ class _Words:
                     instead = " and ".join(map(self.names.of, each.causes))
                     found.append(ChoiceRow(instead, self.state_names[each.source], acts))
         return found
+
+
+def _fails(node: StateNode, seen: Sequence[_Seen]) -> bool:
+    """True if what was seen in other states was not in this one, with the same changes."""
+    return (
+        bool(seen[0].causes)
+        and tuple(seen[0].causes) in node.tried
+        and all(each.source != node.state for each in seen)
+    )
 
 
 def _once(does: Effect) -> Hashable:

@@ -22,15 +22,16 @@ from motionlang_explore.exploration import (
     is_wrong,
     without_memory,
 )
-from motionlang_explore.map.ends import Ends
+from motionlang_explore.map.ends import Ends, Steps
 from motionlang_explore.map.names import ReaderNames, is_alarm
 from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
+from motionlang_explore.map.stops import stopping
 
 # The values with which an output is switched off.
 _OFF = ("0", "_off", "_false")
 _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
-_NAME = re.compile(r"[A-Za-z_]\w*")
+_NAME, _CLOCK = re.compile(r"[A-Za-z_]\w*"), re.compile(r"\bTIME\b")
 
 
 @dataclass(eq=False, slots=True)
@@ -50,6 +51,7 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         ("nothing that was played", "cuts off a move to a target")
     ]
     rows += [CautionRow("stops", *each) for each in stops if exploration.axes and exploration.channels]
+    rows += _stopping(exploration, names)
     rows += _alarms(exploration, structure, names, reasons)
     waits = {
         structure.line(at)
@@ -57,7 +59,7 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         if node.state is not None and all(each.causes for each in node.transitions)
         for place in node.state
         for at in place.statements
-        if reasons.waits(at)
+        if reasons.waits(at) and not _CLOCK.search(structure.statements[at].form)
     }
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
 
@@ -169,12 +171,9 @@ def _alarms(
     for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
         steps = () if played else ends.of(signs, "; ".join(whys), is_alarm=not is_only_said)
-        back = (
-            f"; ends by {', then '.join(' and '.join(map(names.of, step)) for step in steps)}"
-            if steps
-            else ""
-        )
-        back = "; what ends it was not played" if steps is None and not is_only_said else back
+        is_one = len({*whys}) == 1 and " or " not in whys[0]
+        back = f"{'' if is_one else 'as it was played, it '}ends by {_joined(steps, names)}" if steps else ""
+        back = "what ends it was not played" if steps is None and not is_only_said else back
         why = max(whys, key=lambda text: text.startswith("with "))
         verb = (
             ("are printed" if len(told) > 1 else "is printed")
@@ -182,8 +181,14 @@ def _alarms(
             else "come" + "s" * (len(told) < 2)
         )
         yield CautionRow(
-            "said" if is_only_said else "alarm", " and ".join(told), f"{verb} {why}{played}{back}"
+            "said" if is_only_said else "alarm",
+            " and ".join(told),
+            f"{verb} {why}{played}{'; ' if back else ''}{back}",
         )
+
+
+def _joined(steps: Steps, names: ReaderNames) -> str:
+    return ", then ".join(" and ".join(map(names.of, step)) for step in steps)
 
 
 def _printed(exploration: Exploration) -> frozenset[int]:
@@ -226,6 +231,17 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
         ]
         found[", ".join(cuts) + (f" by {units[subject]}" if subject in units else "")].append(names.of(first))
     yield from ((" or ".join(changes), cuts) for cuts, changes in found.items())
+
+
+def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
+    """Yield what stops the machine between its moves, with the line of the next one."""
+    known = exploration.cut_off()
+    found: dict[int, list[str]] = defaultdict(list)
+    for change, line in stopping(exploration):
+        if change not in known:
+            found[line].append(names.of(change))
+    for line, changes in sorted(found.items()):
+        yield CautionRow("stops", " or ".join(changes), f"stops the machine before line {line}")
 
 
 def _lines(lines: Collection[int]) -> str:

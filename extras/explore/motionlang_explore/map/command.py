@@ -31,6 +31,7 @@ class Map(OutputOptions, ProgramOptions):
 map plays the program: where it waits, each input, key, answer, analogue level
 and number of a host that it reads is changed once, to see what leads on. A
 machine file gives the axes; its inputs, answers and the like are not used.
+Where no good piece is found it plays up to six times as long as usual.
 Ctrl-C shows what was found so far.
 
 exit status: 0 success; 1 the program has an error; 2 the command line is

@@ -97,7 +97,7 @@ class Ends:
             return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
         alarm.begins(start.played, first)
-        if alarm.is_over(start.played, has_come=False):
+        if alarm.is_over(start.played, has_come=False) or alarm.is_pulse(start.played):
             return ()
         for begin in dict.fromkeys((self._restored(start, alarm), alarm.undone, ())):
             found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
@@ -195,6 +195,8 @@ class _Alarm:
         self.at = {at for at, uses in written.items() if all(use.channel == "output" for use in uses)}
         # What writes a value that it works out begins all the time.
         self._said = {at for at in self.at if all(use.value.lower() in ON for use in written[at])}
+        # What switches an output and prints nothing.
+        self._lit = {at for at in self.at if written[at]}
         outputs = (use.number for at in self.at for use in written[at])
         self._outputs = {int(number) for number in outputs if number.isdecimal()}
         self._cycle, self._good = exploration.world.cycle, good
@@ -233,6 +235,12 @@ class _Alarm:
             for time in back
             if time >= (trial.since if has_come else max((trial.since, *said)))
             and (time + AWHILE <= trial.time or trial.is_stuck or trial.has_ended)
+        )
+
+    def is_pulse(self, played: PlayedTimeline) -> bool:
+        """True if it is an output alone that has gone off by itself."""
+        return (
+            bool(self._outputs) and self._said <= self._lit and not self._is_on(played.run, played.trial.time)
         )
 
     def _is_on(self, run: Run, time: float) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from motionlang.commands.channels import Channel, channels, only_named, order_of
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
-from motionlang_explore.exploration import SECONDS, Exploration, Progress, explore, without_world
+from motionlang_explore.exploration import PIECE, SECONDS, Exploration, Progress, explore, without_world
 from motionlang_explore.map.axes import AxisMap, axes
 from motionlang_explore.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang_explore.map.names import ReaderNames
@@ -67,18 +67,19 @@ def map_of_machine(
     keeps: bool = False,
     seconds: float = SECONDS,
     used: Callable[[], float] = lambda: 0.0,
+    most: float = PIECE,
 ) -> ProgramMap:
     """Return the map of a program with what the machine does when it is played.
 
     `settings` are those of its machine file; inputs, answers and the like are found by the exploration. `progress` is
-    called with the share of the trials and what is played; `keeps`, `seconds` and `used` are those of `explore`. Raises
-    ProgramError with all errors of the text, or for an override that names nothing.
+    called with the share of the trials and what is played; `keeps`, `seconds`, `used` and `most` are those of
+    `explore`. Raises ProgramError with all errors of the text, or for an override that names nothing.
     """
     kept = without_world(settings)
     program = language.program(source, kept, is_debug=True)
     program = program.with_values(overrides) if overrides else program
     program.require()
-    found = explore(program, kept, seconds=seconds, used=used, progress=progress, keeps=keeps)
+    found = explore(program, kept, seconds=seconds, used=used, progress=progress, keeps=keeps, most=most)
     return map_of_exploration(found)
 
 

@@ -7,8 +7,7 @@ from concurrent.futures import ProcessPoolExecutor
 import pytest
 
 from motionlang.kernel import Source, dialect_of, run
-from motionlang_explore.exploration import explore
-from motionlang_explore.init.command import PLAYED
+from motionlang_explore.exploration import PIECE, explore
 from tests.generated.machines import SUFFIXES, machine
 
 # A part takes up to half a minute.
@@ -28,7 +27,7 @@ def _found(seed: int) -> tuple[bool, bool]:
     program = dialect.program(source, is_debug=True)
     assert program.errors == []
     board = {"controller.model": program.target.model} if program.target.model else {}
-    found = explore(program, board, seconds=PLAYED)
+    found = explore(program, board, seconds=PIECE)
     printed = [
         " ".join(act.words for act in transition.acts if not act.subject)
         for node in found.nodes

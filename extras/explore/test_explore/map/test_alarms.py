@@ -268,8 +268,8 @@ ENDL
             [
                 "'FILTER NOT CLEAN' comes after 4001 times input 3 (label on pad) on, line 16 (not played)",
                 "output 2 (alarm horn) comes by input 7 (air on) off, line 5 or 3 times input 3 (label "
-                "on pad) off, line 16 and 2 s after line 13; ends by input 7 (air on) on, then input 6 "
-                "(reset left) on, then input 5 (reset right) on",
+                "on pad) off, line 16 and 2 s after line 13; as it was played, it ends by input 7 (air on) on, "
+                "then input 6 (reset left) on, then input 5 (reset right) on",
                 "'NO LABEL' comes after 3 times input 3 (label on pad) off, line 16 and 2 s after line "
                 "13; ends by input 6 (reset left) on, then input 5 (reset right) on",
                 "'AIR' comes by input 7 (air on) off, line 5; ends by input 7 (air on) on, then "
@@ -284,8 +284,8 @@ ENDL
             [
                 "comms element 12 and output 5 (red lamp) and 'alarm ...' come with 1: by input 1 "
                 "(guard open) (event IN1), line 24; 2: by input 2 (air on) off, line 7; 3: by input 3 "
-                "(tray) on 0.5 s after line 15, line 17; ends by input 2 (air on) on, then comms element 1 "
-                "= 3",
+                "(tray) on 0.5 s after line 15, line 17; as it was played, it ends by input 2 (air on) on, "
+                "then comms element 1 = 3",
             ],
             id="numbers",
         ),
@@ -305,7 +305,7 @@ ENDL
             [
                 "'NO SUGAR' comes by input 2 (sugar) off, line 3; ends by input 1 (run) off",
                 "'WASTE' comes by analogue input 1 (force) above 6.8, line 3 or 3 times analogue input "
-                "1 (force) below 2, line 3; ends by input 1 (run) off",
+                "1 (force) below 2, line 3; as it was played, it ends by input 1 (run) off",
             ],
             id="codes",
         ),
@@ -316,8 +316,8 @@ ENDL
                 "'HOOD OPEN' comes by input 3 (hood) (event IN3), line 26 and `POS(0) > 5`, line 9 (not "
                 "played)",
                 "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16; ends by input 2 (ram) on",
-                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24; ends by "
-                "input 1 (clamp) on and input 2 (ram) on",
+                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24; as it was "
+                "played, it ends by input 1 (clamp) on and input 2 (ram) on",
             ],
             id="waits",
         ),
@@ -337,9 +337,9 @@ ENDL
             LAMP,
             [
                 "'FAULT: no vacuum' comes 2 s after line 7 without input 3 (vacuum ok) on; ends by input 4 (reset) on",
-                "'FAULT: dropped' comes by input 3 (vacuum ok) off, line 15 (not played)",
+                "'FAULT: dropped' comes by input 3 (vacuum ok) off, line 15",
                 "output 4 (fault lamp) comes 2 s after line 7 without input 3 (vacuum ok) on or input 3 "
-                "(vacuum ok) off, line 15; ends by input 4 (reset) on",
+                "(vacuum ok) off, line 15; as it was played, it ends by input 4 (reset) on",
             ],
             id="lamp",
         ),
@@ -377,3 +377,33 @@ def test_alarms_have_the_reasons_of_their_branches_and_all_steps_of_their_reset(
         for each in part.replace("\n      ", " ").splitlines()
         if " come" in each or "'AIR'" in each
     ] == lines
+
+
+# The door is looked at between the moves, the stop button before a piece; key 9 ends the shift.
+STOPS = """\
+REM IN 1 start  2 door shut  3 stop released
+AUTO
+SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000
+over = 0
+WHILE over = 0
+  IF INKEY = 57 THEN over = 1
+  IF INX.1 AND INX.3 DO
+    MOVEA.0 = 50 : GO.0 : PAUSE IDLE.0
+    PAUSE INX.2
+    MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+    ? "PART OK"
+    PAUSE INX.1 = 0
+  ENDIF
+  WAIT = 5
+ENDW
+"""
+
+
+def test_what_stops_the_machine_between_its_moves_is_played(cell: Cell) -> None:
+    cell.write("a.prg", STOPS)
+    shown = cell("map", "a.prg", "--all").out.splitlines()
+    assert [line.strip() for line in shown if "stops the machine" in line or "cuts off" in line] == [
+        "nothing that was played cuts off a move to a target",
+        "input 3 (stop released) off or key 9 stops the machine before line 8",
+        "input 2 (door shut) off stops the machine before line 10",
+    ]

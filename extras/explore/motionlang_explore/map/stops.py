@@ -1,0 +1,64 @@
+"""What stops a machine between its moves: it is played in the world of its cycle.
+
+In the first move of a cycle each input that is left on goes off, each that is left off comes on, and each key that the
+program reads is pressed. What goes on as usual for a while and then begins no other move has been stopped there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from math import inf
+
+from motionlang_explore.exploration import SECOND, Change, Exploration, entries
+
+# So much longer than two cycles the machine is watched, s; all changes together do no more work.
+WATCHED, WORK = 3.0, 2 * SECOND
+
+
+def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
+    """Yield the changes that bring the machine to rest, each with the line of the move that it begins no more."""
+    world, most = exploration.world, exploration.work + WORK
+    found = world.run.cycle
+    if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
+        return
+    begin, end = found.times[1:3]
+    moves = [each for each in world.run.machine.log.moves if each.profile]
+    lines = [each.line for each in moves if begin <= each.start_time < end]
+    first, seconds = next(
+        (each.start_time, each.profile.duration)
+        for each in moves
+        if each.start_time >= begin and each.profile
+    )
+    time = first + min(seconds, end - begin) / 2.0
+    usual = [*lines[1:], *lines]
+    for change in _changes(exploration, world.settings):
+        settings = _with(world.settings, change, time)
+        played = exploration.play_in(settings, time + 2.0 * found.period + WATCHED)
+        trial = played.trial
+        begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
+        rests = trial.is_stuck or trial.has_ended or any(each.end == inf for each in played.rests)
+        if rests and len(begun) < len(usual) and begun == usual[: len(begun)]:
+            yield change, usual[len(begun)]
+        if exploration.work > most:
+            return
+
+
+def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterator[Change]:
+    """Yield the changes of the inputs that have one level in a world, and of the keys that the program reads."""
+    given = entries(settings, "input")
+    for number in exploration.channels:
+        own = [each for each in given if each["channel"] == number]
+        if not own or (len(own) == 1 and own[0].keys() <= {"channel", "at", "value"}):
+            is_on = bool(own) and bool(own[0].get("value", 1))
+            yield Change("input", number, 0.0 if is_on else 1.0)
+    causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)
+    yield from dict.fromkeys(one for one in causes if one.table == "key" and not one.moment.line)
+
+
+def _with(settings: Mapping[str, object], change: Change, time: float) -> dict[str, object]:
+    made = (
+        {"channel": change.number, "value": change.value}
+        if change.table == "input"
+        else {"text": change.value}
+    )
+    return {**settings, change.table: [*entries(settings, change.table), {**made, "at": time}]}
