@@ -170,10 +170,10 @@ def _alarms(
     )
     for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
-        steps = () if played else ends.of(signs, "; ".join(whys), is_alarm=not is_only_said)
+        steps = () if played or is_only_said else ends.of(signs, "; ".join(whys))
         is_one = len({*whys}) == 1 and " or " not in whys[0]
         back = f"{'' if is_one else 'as it was played, it '}ends by {_joined(steps, names)}" if steps else ""
-        back = "what ends it was not played" if steps is None and not is_only_said else back
+        back = "what ends it was not played" if steps is None else back
         why = max(whys, key=lambda text: text.startswith("with "))
         verb = (
             ("are printed" if len(told) > 1 else "is printed")
@@ -234,14 +234,14 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
 
 
 def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield what stops the machine between its moves, with the line of the next one."""
+    """Yield what stops the machine between its moves, with the line of the last one."""
     known = exploration.cut_off()
     found: dict[int, list[str]] = defaultdict(list)
     for change, line in stopping(exploration):
         if change not in known:
             found[line].append(names.of(change))
     for line, changes in sorted(found.items()):
-        yield CautionRow("stops", " or ".join(changes), f"stops the machine before line {line}")
+        yield CautionRow("stops", " or ".join(changes), f"stops the machine behind line {line}")
 
 
 def _lines(lines: Collection[int]) -> str:

@@ -76,8 +76,8 @@ class Ends:
                     queue.append(each.target)
         return set(found)
 
-    def of(self, signs: Collection[Statement], why: str, *, is_alarm: bool) -> Steps | None:
-        """Return the changes that end what some statements say, none if it ends by itself.
+    def of(self, signs: Collection[Statement], why: str) -> Steps | None:
+        """Return the changes that end the alarm of some statements, none if it ends by itself.
 
         Of changes that can stand for each other those are left that the reason `why` it comes names. None if nothing
         that was played has ended it. What ends one alarm is tried last with the next one.
@@ -92,7 +92,7 @@ class Ends:
         first = min(ways, key=lambda each: (len(each.causes), len(each.visit.timeline)), default=None)
         if first is None or first.target is None:
             return ()
-        known = tuple(self._known) if is_alarm else ()
+        known = tuple(self._known)
         if self._is_out_of_work and not known:
             return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)

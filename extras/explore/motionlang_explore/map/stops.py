@@ -13,10 +13,12 @@ from motionlang_explore.exploration import SECOND, Change, Exploration, entries
 
 # So much longer than two cycles the machine is watched, s; all changes together do no more work.
 WATCHED, WORK = 3.0, 2 * SECOND
+# Times that differ by less are the same, s.
+SHORT = 1e-6
 
 
 def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
-    """Yield the changes that bring the machine to rest, each with the line of the move that it begins no more."""
+    """Yield the changes that bring the machine to rest, each with the line of its last move."""
     world, most = exploration.world, exploration.work + WORK
     found = world.run.cycle
     if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
@@ -33,12 +35,17 @@ def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
     usual = [*lines[1:], *lines]
     for change in _changes(exploration, world.settings):
         settings = _with(world.settings, change, time)
-        played = exploration.play_in(settings, time + 2.0 * found.period + WATCHED)
+        until = time + 2.0 * found.period + WATCHED
+        played = exploration.play_in(settings, until)
         trial = played.trial
         begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
-        rests = trial.is_stuck or trial.has_ended or any(each.end == inf for each in played.rests)
+        # A run that was too long to be played to its end tells nothing.
+        stays = trial.time >= until - SHORT and any(
+            each.end == inf and each.begin < until - found.period for each in played.rests
+        )
+        rests = trial.is_stuck or trial.has_ended or stays
         if rests and len(begun) < len(usual) and begun == usual[: len(begun)]:
-            yield change, usual[len(begun)]
+            yield change, [lines[0], *begun][-1]
         if exploration.work > most:
             return
 
