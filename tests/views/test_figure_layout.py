@@ -93,6 +93,26 @@ def test_the_head_of_an_arrow_is_behind_its_tip() -> None:
     )
 
 
+def test_a_curve_with_arrows_has_a_head_at_both_ends() -> None:
+    """The heads are equally long, and point away from each other: downwards at the start, upwards at the end."""
+    curve = Curve([5.0, 5.0], [0.0, 5.0], "#010203", marker="arrows")
+    (heads,) = (each.paths for each in shapes(replace(LINE, curves=[curve]), "#010203") if each.fill)
+    away = [[xy for x1, y1 in corners for xy in (x1 - x, y1 - y)] for (x, y), *corners in heads]
+    assert away == [
+        pytest.approx([dx, dy, -dx, dy], abs=1e-3) for dx, dy in ((-2.726, -6.447), (2.726, 6.447))
+    ]
+
+
+def test_one_scale_of_x_and_y_is_the_largest_that_fits() -> None:
+    """The panel is wider than high, so its height limits a diagonal of 10 from a y of 100 on."""
+    diagonal = Curve([0.0, 10.0], [100.0, 110.0], "#010203")
+    panel = Panel([diagonal], x_limits=(0.0, 10.0), y_limits=(100.0, 110.0), is_equal=True)
+    (shape,), (frame,) = shapes(panel, "#010203"), shapes(panel, "#b8c2cc")
+    ((x0, y0), (x1, y1)), heights = shape.paths[0], [y for _, y in frame.paths[0]]
+    assert x1 - x0 == pytest.approx(y0 - y1)
+    assert y0 - y1 == pytest.approx(max(heights) - min(heights))
+
+
 def test_labels_are_the_longest_that_fit_and_do_not_touch() -> None:
     """The third is too short for its name."""
     names = ("MOVER · line 7", "MOVER 7", "7")

@@ -24,9 +24,11 @@ def test_the_report_has_the_lines(cell: Cell) -> None:
     cell.write("stroke.machine.toml", f"{LIMITS}jerk = 1e6\ntorque = 1\n")
     report = json.loads(cell("certify", "stroke.mnt", "--format", "json").out)
     jsonschema.validate(report, json.loads(SCHEMA.read_text()))
-    assert [(line["name"], line["reached"], line["verdict"]) for line in report["certificate"]] == [
-        ("speed", 200.0, "within"),
-        ("acceleration", 1000.0, "within"),
-        ("jerk", None, "exceeded"),
-        ("torque", None, "unknown"),
+    assert [
+        (line["name"], line["reached"], line["line"], line["verdict"]) for line in report["certificate"]
+    ] == [
+        ("speed", 200.0, 3, "within"),
+        ("acceleration", 1000.0, 3, "within"),
+        ("jerk", None, 3, "exceeded"),
+        ("torque", None, 0, "unknown"),
     ]

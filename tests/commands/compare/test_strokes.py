@@ -6,6 +6,7 @@ between. The recording is the same program with another line, or another column,
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import cache
 from math import inf
@@ -165,10 +166,10 @@ def made(language: str, line: int = 0, text: str = "") -> Run:
     return run(Source(name, "".join(lines)))
 
 
-def compared(language: str, case: Case, later: float = 0.0, end: float = inf) -> Any:
+def compared(language: str, case: Case, later: float = 0.0, end: float = inf, rate: float = 500.0) -> Any:
     axis = PROGRAMS[language][2]
     other = made(language, case.line, getattr(case, language))
-    samples = other.trace.sample(500.0, [axis], None, ["position"])
+    samples = other.trace.sample(rate, [axis], None, ["position"])
     rows = zip(samples.time + later, case.column(samples.get(axis, "position")), strict=True)
     text = "\n".join(["t,x", *(f"{time:.6f},{value:.6f}" for time, value in rows if time < end)])
     return compare(made(language), Source("real.csv", text), {f"position.{axis}": "x"})
@@ -196,6 +197,17 @@ def test_a_move_that_the_end_of_the_recording_cuts_is_named_once(language: str) 
     faster, cut = (each.message.split(" of ", 1)[1] for each in compared(language, case, end=3.0).remarks)
     assert [faster] == [f"line {each}" for each in FASTER]
     assert cut == "line 7: not recorded, the recording has 0 s to 2.998 s of the run"
+
+
+@pytest.mark.parametrize("language", PROGRAMS)
+def test_ramps_of_ten_rows_have_both_rates(language: str) -> None:
+    """The ramps of the run to 200 uu/s at 1000 uu/s² take 0.2 s, which are ten rows at 50 Hz."""
+    message = compared(language, CASES["another rate"], rate=50.0).remarks[0].message
+    rates = re.search(
+        r"accelerated at 500 against (\S+) uu/s², decelerated at 500 against (\S+) uu/s²", message
+    )
+    assert rates is not None, message
+    assert [float(each) for each in rates.groups()] == pytest.approx([1000.0, 1000.0], rel=0.02)
 
 
 @pytest.mark.parametrize("language", PROGRAMS)

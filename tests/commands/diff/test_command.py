@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 
+import pytest
+
 from tests.cases import cases
 from tests.cli.programs import Cell
 
@@ -134,3 +136,18 @@ def test_a_wrong_scenario_is_reported(cell: Cell) -> None:
     ran = cell("diff", "old.mnt", "old.mnt", "--scenarios")
     assert ran.status == 1
     assert "error[machine-file]" in ran.err
+
+
+def test_the_document_has_the_cycle_of_both_programs(cell: Cell) -> None:
+    """There and back at 200 and 1000 per s² take 0.7 s each; the rests are 0.3 and 0.5 s."""
+    strokes = "MOVEA(0) = 100 : GO(0) : PAUSE IDLE(0)\nMOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)\n"
+    for name, rest in (("old", 300), ("new", 500)):
+        cell.write(
+            f"{name}.mnt",
+            f"SPEED(0) = 200 : ACCEL(0) = 1000 : DECEL(0) = 1000\nLoop\n{strokes}WAIT({rest})\nEnd Loop\n",
+        )
+    found = json.loads(cell("diff", "old.mnt", "new.mnt", "--until", "20", "--format", "json").out)
+    assert (found["old_cycle"], found["new_cycle"]) == (
+        pytest.approx(1.7, abs=1e-3),
+        pytest.approx(1.9, abs=1e-3),
+    )

@@ -9,6 +9,7 @@ import pytest
 
 from motionlang.kernel import Hook, Source, dialect_for, run
 from motionlang.kernel.report import text
+from motionlang.views.terminal import styled
 from motionlang_explore.cover import covered
 from motionlang_explore.cover.worlds import Counts, Event, Worlds
 from motionlang_explore.map.units import Reachability
@@ -95,6 +96,17 @@ file       worlds  statements  outcomes   parts  covered  lines to look at
 table.mnt       1     7 of 12   7 of 10  0 of 2     64 %  3-6, 10, 11, 17, 20
 """
     )
+
+
+def test_a_listing_has_one_colour_for_missed_and_another_for_partly_reached_lines(
+    table: Cell, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    lines = table("cover", "table.mnt", "--all").out.splitlines()
+    (partly,) = (each for each in lines if each.endswith("If n > 5 Then"))
+    (missed,) = (each for each in lines if each.endswith('PRINT "many"'))
+    assert partly.startswith(styled(f"{3:>9}", "warning", True))
+    assert missed.startswith(styled(f"{'-':>9}", "error", True))
 
 
 def test_scenarios_add_up(table: Cell) -> None:

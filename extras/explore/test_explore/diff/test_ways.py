@@ -253,3 +253,15 @@ def test_another_spelling_is_the_same(cell: Cell, edits: list[tuple[str, str]]) 
     cell.write("b.mnt", text)
     ran = cell("diff", "a.mnt", "b.mnt", "--explore")
     assert (ran.status, "the same" in ran.out) == (0, True), ran.out
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("n <> 2147483647", "n < 2147483647"), ("n <> -2147483647 - 1", "n > -2147483647 - 1")],
+)
+def test_no_integer_is_beyond_the_first_and_the_last(cell: Cell, old: str, new: str) -> None:
+    text = LOOP.format(f"  n = n + 1\n  If {{}} Then OUTX(1) = 1\n  MOVER(0) = 10{GO}")
+    for name, condition in (("a", old), ("b", new)):
+        cell.write(f"{name}.mnt", text.format(condition))
+    ran = cell("diff", "a.mnt", "b.mnt", "--explore")
+    assert (ran.status, "4 the same by their text" in ran.out) == (0, True), ran.out

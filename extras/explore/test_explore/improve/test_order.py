@@ -7,6 +7,8 @@ import pytest
 from motionlang import run
 from motionlang.kernel import Run, Source, dialect
 from motionlang_explore.improve import ExpectedWorld, Improvement, Improver
+from motionlang_explore.improve.acts import acts_of
+from motionlang_explore.improve.tasks import Tasks
 from tests.cases import cases
 
 LIMITS: dict[str, object] = {
@@ -260,3 +262,17 @@ Print "shift over"
     found = improved("shift.mnt", text, input=[{"channel": 1, "at": 10.0}])
     assert found.after < 0.9
     assert found.result.output == ["shift over"]
+
+
+def test_a_homing_is_one_act_with_all_its_phases() -> None:
+    text = "HOME(0) = 0 : PAUSE IDLE(0)\nOUTX(1) = 1\nHOME(1) = 0 : PAUSE IDLE(1)\nMOVEA(0) = 5 : GO(0)\n"
+    ran = run(Source("a.mnt", text), machine={f"axis.{axis}.home_switch": [-30.0, -10.0] for axis in (0, 1)})
+    phases = [each.axis for each in ran.moves if each.command == "HOME"]
+    assert min(phases.count(0), phases.count(1)) > 1
+    (acts,) = acts_of(ran, Tasks(ran, ())).values()
+    assert [each.text for each in acts] == [
+        "HOME of axis 0",
+        "output 1 = 1",
+        "HOME of axis 1",
+        "MOVEA of axis 0",
+    ]

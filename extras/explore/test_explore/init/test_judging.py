@@ -180,6 +180,19 @@ def test_an_input_that_is_read_by_a_computed_channel_is_written(cell: Cell) -> N
     assert [each["channel"] for each in found] == [4]  # type: ignore[attr-defined]
 
 
+@pytest.mark.parametrize(("changes", "is_named"), [(3, False), (4, True)])
+def test_an_input_without_a_pulse_is_named_if_the_run_lacks_more_than_three_changes(
+    cell: Cell, changes: int, is_named: bool
+) -> None:
+    """Up to three may be in the same row, in another order. The pulse of the input was between two rows."""
+    text = "Wait(500)\nOUTX(1) = 1\nPause INX(3)\n" + "Wait(500)\nOUTX(1) = 1 - OUTX(1)\n" * changes
+    cell.write("press.mnt", text)
+    rows = [f"{k / 100},0,{min(k // 50, changes + 1) % 2}" for k in range(400)]
+    cell.write("rec.csv", "\n".join(["time_s,in3,out1", *rows, ""]))
+    ran = cell("init", "press.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ("input 3 is off in all of the recording, and the program waits for it" in ran.err) is is_named
+
+
 def test_what_has_no_column_is_named_before_the_program_is_accused(cell: Cell) -> None:
     text = "Pause (NETINTEGER(10) * 7919 + NETINTEGER(11) * 31) % 10007 = 4242\n"
     cell.write(
@@ -189,6 +202,7 @@ def test_what_has_no_column_is_named_before_the_program_is_accused(cell: Cell) -
     cell.write("rec.csv", "\n".join(["time_s,in2,out1", *rows, ""]))
     ran = cell("init", "net.mnt", "--recording", "rec.csv", "--format", "none")
     assert "is not one of" not in ran.err
+    assert "note: nothing recorded shows when the machine was switched on" in ran.err
     assert "no column has network data 10, network data 11, which net.mnt reads" in ran.err
 
 
@@ -243,6 +257,18 @@ def test_a_position_is_known_to_the_distance_between_two_rows() -> None:
     first, *_ = rules_of(3, Digital("in3", 0, changes), recording)
     assert first.subject == "axis 0"
     assert first.comments == ("40.500 uu ± 1.000 (8 changes)",)
+
+
+def test_an_input_that_a_position_changes_in_one_direction_alone_does_not_follow_it() -> None:
+    """To and fro at 100 uu/s: the input is on from 40 to 60 uu, and off there on the way back."""
+    times = np.arange(0.0, 16.0, 0.01)
+    values = 100.0 * np.abs((times + 1.0) % 2.0 - 1.0)
+    levels = ((values >= 40.0) & (values <= 60.0) & (times % 2.0 < 1.0)).astype(int)
+    rows = np.flatnonzero(np.diff(levels)) + 1
+    changes = tuple(LevelChange(float(times[k]), int(levels[k]), 0.005) for k in rows)
+    recording = MeasuredRecording(0.0, 16.0, 0.01, positions={0: Series("", times, values)})
+    found = rules_of(3, Digital("in3", 0, changes), recording)
+    assert "axis 0" not in [each.subject for each in found]
 
 
 def test_a_new_zero_in_motion_is_no_step() -> None:

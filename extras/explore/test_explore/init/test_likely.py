@@ -9,6 +9,9 @@ import json
 
 import pytest
 
+from motionlang.kernel import Source, dialect
+from motionlang.kernel.lang import names_in_comments
+from motionlang_explore.exploration.likely import Likely
 from tests.cli.programs import Cell
 
 RATES = "SPEED(0) = 20 : ACCEL(0) = 2000 : DECEL(0) = 2000\n"
@@ -430,3 +433,11 @@ GOTO JOB
     printed = cell("run", "old.prg").out
     assert printed.count("ply laid") >= 3
     assert "not possible" not in printed
+
+
+def test_a_channel_that_the_program_switches_is_an_output_and_any_other_an_input() -> None:
+    """By its name, the input follows the output of the clamp, not the one that is switched before it is read."""
+    text = "' channel 4 clamp shut  channel 8 air  channel 9 clamp valve\nOUTX(9) = 1\nOUTX(8) = 1\nPAUSE INX(4)\n"
+    source, language = Source("old.mnt", text), dialect("mint")
+    likely = Likely(language.program(source).structure, names_in_comments(source, language), source)
+    assert likely.rules(4)[0] == {"output": 9, "delay": 0.1}

@@ -55,3 +55,18 @@ def test_an_operator_types(cell: Cell) -> None:
     assert [each["at"] for each in machine["key"]] == [pytest.approx(at, abs=0.02) for at in (2.2, 9.1, 13.4)]
     (down,) = machine["input"]
     assert down["delay"] == pytest.approx(0.12, abs=0.003)
+
+
+def test_a_key_that_comes_every_two_seconds_is_one_entry(cell: Cell) -> None:
+    """A part takes 0.4 or 0.8 s in turn, so no key comes a fixed time after the program asks for it."""
+    cell.write(
+        "beat.mnt",
+        "Loop\n  Pause INKEY = 82\n  OUTX(1) = 1 : Wait(400)\n  OUTX(1) = 0 : OUTX(2) = 1 - OUTX(2)\n"
+        "  Wait(400 * OUTX(2))\nEnd Loop\n",
+    )
+    world: dict[str, object] = {"key": [{"text": "R", "at": 1.0, "every": 2.0}], "run.until": 14.0}
+    cell.write("rec.csv", csv_of(Logger(0.01).table(machine_run(cell.folder / "beat.mnt", world))))
+    ran = cell("init", "beat.mnt", "--recording", "rec.csv", "--format", "none")
+    assert ran.status == 0, ran.err
+    found = read_machine(Source.read(str(cell.folder / "beat.machine.toml")))
+    assert found["key"] == [{"text": "R", "at": pytest.approx(1.0, abs=0.02), "every": 2.0, "guess": True}]

@@ -105,6 +105,27 @@ Loop
   Pause INX(1) = 0
 End Loop
 """
+# A clock that is set in two branches, and looked at in a branch within one of them.
+NESTED = """\
+' IN 1 pedal  2 frame clamped  4 part fallen
+Dim l As Time
+Loop
+  Pause INX(1)
+  If INX(2) Then
+    MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+    l = 0
+    Wait(500)
+    If INX(4) = 0 Then
+      Wait(500)
+      If l > 900 Then Print "PART STUCK"
+    End If
+  Else
+    l = 0
+    Pause INX(2) Or l > 1500
+  End If
+  Pause INX(1) = 0
+End Loop
+"""
 MACROS = """\
 ; INPUTS 1 gate shut, 3 vacuum ok, 5 reset
 ; OUTPUTS 9 vacuum, 11 fault lamp
@@ -330,6 +351,12 @@ ENDL
                 "'PART STUCK' comes 1.5 s after line 20 without input 4 (part fallen) on",
             ],
             id="times",
+        ),
+        pytest.param(
+            "a.mnt",
+            NESTED,
+            ["'PART STUCK' comes by input 4 (part fallen) off, line 9 and 0.9 s after line 7"],
+            id="nested",
         ),
         pytest.param("a.mnt", GAUGE, ["'short ones' comes by input 6 off, line 5"], id="gauge"),
         pytest.param(
