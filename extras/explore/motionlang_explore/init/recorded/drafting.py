@@ -426,7 +426,7 @@ def outcome(result: Run, recording: MeasuredRecording) -> Iterator[str]:
         yield text
     found = matched(result, recording, ("output",))
     lost = len(found.theirs) - len(found.pairs)
-    if lost > 0 and (difference := _first_difference(found)):
+    if difference := _first_difference(found):
         yield f"{lost} of {count_of(len(found.theirs), 'recorded change')} of outputs not in the run{difference}"
     counts = Counter(each.label[1] for each in run_marks(result, recording) if each.label[0] == "output")
     for number, channel in sorted(recording.outputs.items()):
