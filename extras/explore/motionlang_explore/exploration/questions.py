@@ -7,8 +7,9 @@ changes: an input to its other level, a number to the values at which the compar
 
     one by one         each channel that was read, and each input or number of a host that starts a handler
     of conditions      the channels of one statement together: two of them, then three, then all that are needed
-    behind             what led on, with one more channel that was read on the way, such as a look that decides, and
-                       with all inputs of the way that together bring something new
+    behind             what has begun a statement or turned a comparison for the first time, with one more channel that
+                       was read on the way, such as a look that decides, and with all inputs of the way that together
+                       bring something new
     with more          what did not lead on, with one more channel that was read only then, at rest or on the way:
                        `A And B`, an If in an If
     in a move          an input that was read while an axis moved, starts a handler or stops an axis, in its middle; at

@@ -224,7 +224,7 @@ class Explorer:
             start = self.nodes[None] = StateNode(None, Visit((), -DELAY))
             trial = self.play((), 0.0)
             self._seen |= trial.seen
-            rest = self.arrive(start, start.first, (), trial)[1]
+            rest = self.arrive(start, start.first, (), trial)
             start.left.append(Departure(start.first, questions.at_power_up(self, trial, rest)))
         has_tried = False
         while not self.trials.is_over:
@@ -256,15 +256,15 @@ class Explorer:
         """Record a trial; ask more questions if it has found something new."""
         self.tried.add(trial.timeline)
         node.tried[causes] = None
-        states, known, is_news = len(self.nodes), node.channels, self.is_news(trial)
+        known, is_news = node.channels, self.is_news(trial)
         before = {at: len(channels) for at, channels in node.reads.items()}
         self._seen |= trial.seen
-        news, rest = self.arrive(node, visit, causes, trial, is_news)
+        rest = self.arrive(node, visit, causes, trial, is_news)
         further: list[Iterator[Causes]] = []
         if len(causes) == 1 and questions.is_read_again(self, trial, causes[0]):
             further.append(questions.pulses(self, node, visit, causes[0], trial))
         on_way = questions.read_on_way(self, trial, rest) if len(causes) > 1 else []
-        if news or is_news or len(self.nodes) > states:
+        if is_news:
             further.append(questions.behind(self, node, visit, causes, trial, rest))
         elif first_read := [each for each in on_way if each not in node.on_way and each not in known]:
             further.append(questions.with_more(self, node, visit, causes, first_read))
@@ -320,14 +320,12 @@ class Explorer:
 
     def arrive(
         self, node: StateNode, visit: Visit, causes: Causes, trial: Trial, is_news: bool = False
-    ) -> tuple[bool, Rest | None]:
+    ) -> Rest | None:
         """Take the rests of a trial behind a change, and return the first one.
 
         If it `is_news`, what it says leads on, too.
-
-        The first result is True if it leads this state elsewhere for the first time.
         """
-        news, known = False, {*self.nodes, None}
+        known = {*self.nodes, None}
         first: Rest | None = None
         is_over = False  # the stay has ended by itself all the same
         source, back, how, since = node, visit, causes, trial.since
@@ -356,15 +354,15 @@ class Explorer:
             reached, way = self._reached(rest, trial)
             first = first or rest
             until = self._arrival(trial, rest)
-            news |= self._link(source, back, how, reached.state, trial, since, until, known, is_over)
+            self._link(source, back, how, reached.state, trial, since, until, known, is_over)
             is_over = False
             source, back, since = reached, way, rest.end if rest.end < inf else trial.time
             how = _later(causes, visit, way, since)
         if trial.has_ended:
-            news |= self._link(source, back, how, None, trial, since, trial.time, known, is_over)
+            self._link(source, back, how, None, trial, since, trial.time, known, is_over)
         elif works_on:
             self._ask_in_moves(source, back, how, trial, since, trial.time)
-        return news, first
+        return first
 
     def _arrival(self, trial: Trial, rest: Rest) -> float:
         """Return when a rest is reached: what begins soon after the last move, and is none of the rest, leads there.
@@ -470,18 +468,18 @@ class Explorer:
         until: float,
         known: Collection[RestState | None],
         is_over: bool,
-    ) -> bool:
-        """Add a transition; True if it is new, and leads elsewhere, moves an axis, or starts a handler."""
+    ) -> None:
+        """Add a transition if it is new, and leads elsewhere, moves an axis, says something or starts a handler."""
         part = self.part(trial, since, until)
         lines = tuple(each.line for each in part.moves)
         does = _does(part, until)
         handled = self._handled(trial, since, until)
         is_idle = target == source.state and not (lines or handled or does.prints)
         if source.knows(causes, target, does) or is_idle:
-            return False
+            return
         is_later = visit is source.later
         if is_later and target in known and self._moved.issuperset(lines):
-            return False  # only its levels differ
+            return  # only its levels differ
         self._moved.update(lines)
         for move in trial.moves:
             self.axes[move.line].add(move.axis)
@@ -525,7 +523,6 @@ class Explorer:
                 ),
             )
         )
-        return True
 
     def _ask_in_moves(
         self, source: StateNode, visit: Visit, causes: Causes, trial: Trial, since: float, until: float
