@@ -62,6 +62,7 @@ from motionlang_explore.exploration.exploring import (
 )
 from motionlang_explore.exploration.rests import (
     SHORTEST_REST,
+    Rest,
     RestState,
     TaskRest,
     lines_of,
@@ -113,6 +114,7 @@ __all__ = [
     "MachineCycle",
     "PlayedTimeline",
     "Progress",
+    "Rest",
     "RestState",
     "StateNode",
     "TaskRest",

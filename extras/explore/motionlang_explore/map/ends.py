@@ -1,15 +1,15 @@
 """What ends an alarm: it is played.
 
 At the rest behind an alarm all channels get the levels that they have where the good cycle begins, or what has led
-there is taken back. Then one channel after the other that is read at rest is changed, until the machine is where it
-comes without any alarm, the outputs of the alarm are off, and it does not come again for a while. Of these changes
-those are left out without which that happens as well.
+there is taken back. Then one channel after the other that is read at rest is changed, until the outputs of the alarm
+are off, or the machine is where it comes without an alarm that has none, and it does not come again for a while. Of
+these changes those are left out without which that happens as well.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -21,9 +21,11 @@ from motionlang_explore.exploration import (
     Channel,
     Exploration,
     PlayedTimeline,
+    Rest,
     RestState,
     Timeline,
     Transition,
+    Trial,
     Visit,
     channel_levels,
     without_memory,
@@ -97,7 +99,7 @@ class Ends:
             return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
         alarm.begins(start.played, first)
-        if alarm.is_over(start.played, has_come=False) or alarm.is_pulse(start.played):
+        if alarm.is_over(start.played, has_come=False):
             return ()
         for begin in dict.fromkeys((self._restored(start, alarm), alarm.undone, ())):
             found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
@@ -195,8 +197,6 @@ class _Alarm:
         self.at = {at for at, uses in written.items() if all(use.channel == "output" for use in uses)}
         # What writes a value that it works out begins all the time.
         self._said = {at for at in self.at if all(use.value.lower() in ON for use in written[at])}
-        # What switches an output and prints nothing.
-        self._lit = {at for at in self.at if written[at]}
         outputs = (use.number for at in self.at for use in written[at])
         self._outputs = {int(number) for number in outputs if number.isdecimal()}
         self._cycle, self._good = exploration.world.cycle, good
@@ -218,18 +218,18 @@ class _Alarm:
         )
 
     def is_over(self, played: PlayedTimeline, *, has_come: bool = True) -> bool:
-        """True if the machine is in a good state behind the last change, and the alarm is over for a while.
+        """True if the alarm is over for a while behind the last change: its outputs are off, or the machine is back.
 
-        Unless it `has_come` before, it has to come first.
+        It is back in a good state, or on its way there. Unless the alarm `has_come` before, it has to come first.
         """
         trial, run, rests = played
-        good = [each.state in self._good or without_memory(each.state) in self._places for each in rests]
-        back = [each.begin for each, is_good in zip(rests, good, strict=True) if is_good]
-        for move in (each for each in trial.moves if each.line in self._cycle.work):
-            # It may still be on its way to where the alarm is shown.
-            comes = (is_good for each, is_good in zip(rests, good, strict=True) if each.begin >= move.begin)
-            back += [move.begin] if next(comes, True) else []
         said = [one.time for some in trial.statements.values() for one in some if one.at in self._said]
+        if self._outputs:
+            lit = [each for each in run.machine.log.outputs if each.channel in self._outputs]
+            said += [each.time for each in lit if each.value and each.time > trial.since]
+            back = [trial.since, *(each.time for each in lit if not each.value)]
+        else:
+            back = list(self._back(trial, rests))
         return any(
             not any(time <= one < time + AWHILE for one in said) and not self._is_on(run, time)
             for time in back
@@ -237,11 +237,14 @@ class _Alarm:
             and (time + AWHILE <= trial.time or trial.is_stuck or trial.has_ended)
         )
 
-    def is_pulse(self, played: PlayedTimeline) -> bool:
-        """True if it is an output alone that has gone off by itself."""
-        return (
-            bool(self._outputs) and self._said <= self._lit and not self._is_on(played.run, played.trial.time)
-        )
+    def _back(self, trial: Trial, rests: Sequence[Rest]) -> Iterator[float]:
+        """Yield the times at which the machine is in a good state, or begins a move of its cycle that leads there."""
+        good = [each.state in self._good or without_memory(each.state) in self._places for each in rests]
+        yield from (each.begin for each, is_good in zip(rests, good, strict=True) if is_good)
+        for move in (each for each in trial.moves if each.line in self._cycle.work):
+            comes = (is_good for each, is_good in zip(rests, good, strict=True) if each.begin >= move.begin)
+            if next(comes, True):
+                yield move.begin
 
     def _is_on(self, run: Run, time: float) -> bool:
         """True if an output of the alarm is on at a time."""

@@ -249,6 +249,26 @@ END
 RETURN
 """
 
+# A lamp goes off as the hood shuts, and the pedal has to be let go before the piece is finished.
+HOOD = """\
+REM IN 0 foot pedal  1 hood shut
+REM OUT 3 red lamp
+SPEED.0 = 100 : ACCEL.0 = 1000 : DECEL.0 = 1000
+LOOP
+  PAUSE INX.0
+  MOVEA.0 = 50 : GO.0 : PAUSE IDLE.0
+  IF INX.1 = 0 DO
+    OUTX.3 = 1
+    PAUSE INX.1
+    OUTX.3 = 0
+    PAUSE INX.0 = 0
+    PAUSE INX.0
+  ENDIF
+  MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+  ? "struck"
+  PAUSE INX.0 = 0
+ENDL
+"""
 # A lamp that each scan writes while a step waits for its reset, behind two texts of which a move is still made.
 LAMP = """\
 REM IN 1 start  2 door shut  3 vacuum ok  4 reset
@@ -359,6 +379,12 @@ ENDL
             id="nested",
         ),
         pytest.param("a.mnt", GAUGE, ["'short ones' comes by input 6 off, line 5"], id="gauge"),
+        pytest.param(
+            "a.prg",
+            HOOD,
+            ["output 3 (red lamp) comes by input 1 (hood shut) off, line 7; ends by input 1 (hood shut) on"],
+            id="hood",
+        ),
         pytest.param(
             "a.prg",
             LAMP,

@@ -71,8 +71,6 @@ waits in 7 (phase = 0): If INX.1   [input 2 (door shut), input 1 (start)]
   input 1 (start) on and input 2 (door shut) on → 10 (phase = 1), 0.00 s: output 1 (clamp) on
   input 1 (start) on and input 3 (clamp shut) on → 24 called in 5, 0.05 s: output 1 (clamp) on; axis 0 to 50 at 2236.07;
       output 1 (clamp) off; output 2 (lamp) on; 'DOOR'
-  input 1 (start) on and input 2 (door shut) on and input 3 (clamp shut) on → 14 (phase = 2), 0.05 s: output 1 (clamp)
-      on; axis 0 to 50 at 2236.07
 waits in 10 (phase = 1): If INX.3   [input 2 (door shut), input 3 (clamp shut)]
   input 2 (door shut) off → 24 called in 5, 0.00 s: output 1 (clamp) off; output 2 (lamp) on; 'DOOR'
   input 3 (clamp shut) on → 14 (phase = 2), 0.05 s: axis 0 to 50 at 2236.07
