@@ -24,14 +24,15 @@ def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
     if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
         return
     begin, end = found.times[1:3]
-    moves = [each for each in world.run.machine.log.moves if each.profile]
-    lines = [each.line for each in moves if begin <= each.start_time < end]
-    first, seconds = next(
-        (each.start_time, each.profile.duration)
-        for each in moves
-        if each.start_time >= begin and each.profile
-    )
-    time = first + min(seconds, end - begin) / 2.0
+    moves = [
+        (each.start_time, each.profile.duration, each.line)
+        for each in world.run.machine.log.moves
+        if each.profile is not None and begin <= each.start_time < end
+    ]
+    if not moves:
+        return
+    first, seconds, _ = moves[0]
+    time, lines = first + min(seconds, end - begin) / 2.0, [line for *_, line in moves]
     usual = [*lines[1:], *lines]
     for change in _changes(exploration, world.settings):
         settings = _with(world.settings, change, time)
