@@ -234,14 +234,15 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
 
 
 def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield what stops the machine between its moves, with the line of the last one."""
+    """Yield what stops the machine between its moves, with the line of the last one, or at the end of a cycle."""
     known = exploration.cut_off()
     found: dict[int, list[str]] = defaultdict(list)
     for change, line in stopping(exploration):
         if change not in known:
             found[line].append(names.of(change))
     for line, changes in sorted(found.items()):
-        yield CautionRow("stops", " or ".join(changes), f"stops the machine behind line {line}")
+        where = f"behind line {line}" if line else "at the end of its cycle"
+        yield CautionRow("stops", " or ".join(changes), f"stops the machine {where}")
 
 
 def _lines(lines: Collection[int]) -> str:

@@ -18,7 +18,7 @@ SHORT = 1e-6
 
 
 def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
-    """Yield the changes that bring the machine to rest, each with the line of its last move."""
+    """Yield the changes that bring the machine to rest, with the line of its last move, 0 at the end of a cycle."""
     world, most = exploration.world, exploration.work + WORK
     found = world.run.cycle
     if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
@@ -46,7 +46,7 @@ def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
         )
         rests = trial.is_stuck or trial.has_ended or stays
         if rests and len(begun) < len(usual) and begun == usual[: len(begun)]:
-            yield change, [lines[0], *begun][-1]
+            yield change, [lines[0], *begun][-1] if len(begun) < len(lines) - 1 else 0
         if exploration.work > most:
             return
 
