@@ -83,6 +83,17 @@ class Memory:
             found |= bits
         return sorted(n for bit, n in self._shared.items() if bit & found)
 
+    @cached_property
+    def steps(self) -> frozenset[int]:
+        """The variables that are only ever set to numbers in the text, as the step of a machine is."""
+        plain, worked_out = set[int](), set[int]()
+        for p, use in enumerate(self._graph.uses):
+            if use is not None:
+                statement = self._structure.statements.get(self._graph.points[p].at)
+                is_read = statement is not None and any(each.access == READ for each in statement.channels)
+                (worked_out if use.reads or is_read else plain).update(use.sets)
+        return frozenset(plain - worked_out)
+
     def _given(self, at_start: int) -> tuple[int, int]:
         """Return the bits of the variables that may not have taken a number, a key or an answer, and of all others.
 

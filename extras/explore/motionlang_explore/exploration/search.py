@@ -64,8 +64,8 @@ from motionlang_explore.exploration.trials import (
 from motionlang_explore.exploration.values import codes, is_probe, levels, periods, printed_for
 from motionlang_explore.exploration.words import alarms_in, has_stopped, is_wrong, wrong
 
-# A variable with more values at rest counts or measures.
-MAX_REMEMBERED = 12
+# A variable with more values at rest counts or measures; a step, which is set to numbers alone, has up to so many.
+MAX_REMEMBERED, MAX_STEPS = 5, 12
 # The depth of what is asked of a state whose place is known.
 LATE = 3
 
@@ -294,7 +294,12 @@ class Explorer:
 
     def _forget(self) -> None:
         """Forget the variables with many values, and take states for one that differ in them alone."""
-        many = {n for n, values in self._values.items() if len(values) > MAX_REMEMBERED} - self._forgotten
+        steps = self.trials.memory.steps
+        many = {
+            n
+            for n, values in self._values.items()
+            if len(values) > (MAX_STEPS if n in steps else MAX_REMEMBERED)
+        } - self._forgotten
         if not many:
             return
         self._forgotten |= many
