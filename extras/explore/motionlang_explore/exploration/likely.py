@@ -77,6 +77,7 @@ class Likely:
         # The statements that print how much was bad, and how much was good.
         self._bad = frozenset(_counting(structure, names_alarm))
         self.right = frozenset(_counting(structure, is_right))
+        self._loops = {structure.points[p].at for p in structure.graph.closing}
         # What was seen before a wait for a reset, and what before anything else, with True for a text.
         self._led, self._passed = set[tuple[int, bool]](), set[tuple[int, bool]]()
 
@@ -88,10 +89,10 @@ class Likely:
                 statement = structure.statements.get(at)
                 if statement is None:
                     continue
+                inputs = {use.number for use in statement.channels if use.channel == "input"}
                 if statement.waits == "time":
                     switched.clear()  # the text alone may have been printed some passes before
-                elif statement.moves or statement.waits:
-                    inputs = {use.number for use in statement.channels if use.channel == "input"}
+                elif statement.moves or statement.waits or (inputs and at in self._loops):
                     (self._passed if inputs.isdisjoint(self._resets) else self._led).update(text, switched)
                     text, switched = set(), set()
                 elif '"' in statement.text:

@@ -394,7 +394,10 @@ End Loop
 """
 
 
-@pytest.mark.parametrize("text", [AT_ONCE, IN_A_STEP], ids=["at once", "in a step"])
+IN_A_LOOP = AT_ONCE.replace("Pause INX(7)", "While Not INX(7) : Wait(20) : End While")
+
+
+@pytest.mark.parametrize("text", [AT_ONCE, IN_A_STEP, IN_A_LOOP], ids=["at once", "in a step", "in a loop"])
 def test_what_a_person_resets_is_no_good_piece(cell: Cell, text: str) -> None:
     cell.write("old.mnt", text)
     ran = cell("init", "old.mnt")
