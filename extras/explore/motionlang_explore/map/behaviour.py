@@ -6,6 +6,7 @@ happens by itself all the same.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Collection, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -226,17 +227,24 @@ class _Words:
                 first, its = found.setdefault((row.until, (row.to, does, not row.then)), (row, []))
                 first.lines |= row.lines
                 its.append(seen)
+        same = defaultdict[Hashable, list[_Seen]](list)
+        for (_, leads), (_, its) in found.items():
+            same[leads].append(its[0])
         rows = [
             (row, its)
             for (_, leads), (row, its) in found.items()
-            if not any(others[0].needs(its) for (_, same), (_, others) in found.items() if same == leads)
+            if not any(other.needs(its) for other in same[leads])
         ]
-        others = [
-            [each for other, its in rows if other is not row and other.until == row.until for each in its]
-            + [_Seen(node.state, node.state, levels=node.first.levels) for node in nodes if _fails(node, its)]
-            for row, its in rows
-        ]
-        decides = [self.deciding(its, theirs) for (_, its), theirs in zip(rows, others, strict=True)]
+        alike = defaultdict[str, list[list[_Seen]]](list)
+        for row, its in rows:
+            alike[row.until].append(its)
+        decides = []
+        for row, its in rows:
+            theirs = [each for others in alike[row.until] if others is not its for each in others]
+            theirs += [
+                _Seen(node.state, node.state, levels=node.first.levels) for node in nodes if _fails(node, its)
+            ]
+            decides.append(self.deciding(its, theirs))
         for (row, _), text in zip(rows, decides, strict=True):
             row.until += f", seen with {text}" if text else ""
         state, name = nodes[0].state, self.state_names[nodes[0].state]
@@ -276,25 +284,14 @@ class _Words:
 
     def kept(self, node: StateNode) -> list[Transition]:
         """Return transitions, those with fewer changes first, without those that happen by fewer, or none, as well."""
-        given = sorted(node.transitions, key=lambda each: len(each.causes))
-        return [each for each in given if not any(self.replaces(other, each) for other in given)]
-
-    def replaces(self, other: Transition, each: Transition) -> bool:
-        """True if the same happens by fewer changes, or by itself before the changes make a difference."""
-        names = self.state_names
-        leads, others = (
-            (self.to(one.target), names.changed(one.source, one.target)) for one in (each, other)
-        )
-        if leads != others or not set(other.causes) < set(each.causes):
-            return False
-        if other.does == each.does:
-            return True
-        waited = each.visit.change_time - each.visit.time
-        return (
-            not other.causes
-            and other.lines == each.lines
-            and abs(other.seconds - each.seconds - waited) < SHORTEST
-        )
+        names, same = self.state_names, defaultdict[Hashable, list[Transition]](list)
+        given = [
+            (each, (self.to(each.target), *names.changed(each.source, each.target)))
+            for each in sorted(node.transitions, key=lambda each: len(each.causes))
+        ]
+        for each, leads in given:
+            same[leads].append(each)
+        return [each for each, leads in given if not any(_replaces(one, each) for one in same[leads])]
 
     def refused(self, node: StateNode) -> Iterator[TransitionRow]:
         """Yield what happens with answers after which the program asks again; of the same several once."""
@@ -391,6 +388,20 @@ class _Words:
                     instead = " and ".join(map(self.names.of, each.causes))
                     found.append(ChoiceRow(instead, self.state_names[each.source], acts))
         return found
+
+
+def _replaces(other: Transition, each: Transition) -> bool:
+    """True if fewer changes do the same, or it happens by itself before the changes make a difference."""
+    if not set(other.causes) < set(each.causes):
+        return False
+    if other.does == each.does:
+        return True
+    waited = each.visit.change_time - each.visit.time
+    return (
+        not other.causes
+        and other.lines == each.lines
+        and abs(other.seconds - each.seconds - waited) < SHORTEST
+    )
 
 
 def _fails(node: StateNode, seen: Sequence[_Seen]) -> bool:

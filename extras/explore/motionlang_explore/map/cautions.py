@@ -25,7 +25,7 @@ from motionlang_explore.exploration import (
 from motionlang_explore.map.ends import Ends, Steps
 from motionlang_explore.map.names import ReaderNames, is_alarm
 from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
-from motionlang_explore.map.stops import stopping
+from motionlang_explore.map.stops import stops_of
 
 # The values with which an output is switched off.
 _OFF = ("0", "_off", "_false")
@@ -235,14 +235,17 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
 
 def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
     """Yield what stops the machine between its moves, with the line of the last one, or at the end of a cycle."""
-    known = exploration.cut_off()
+    known, stops = exploration.cut_off(), stops_of(exploration)
     found: dict[int, list[str]] = defaultdict(list)
-    for change, line in stopping(exploration):
+    for change, line in stops.lines:
         if change not in known:
             found[line].append(names.of(change))
     for line, changes in sorted(found.items()):
         where = f"behind line {line}" if line else "at the end of its cycle"
         yield CautionRow("stops", " or ".join(changes), f"stops the machine {where}")
+    if stops.left:
+        what = ", ".join(map(names.of, stops.left))
+        yield CautionRow("stops", "whether the machine stops", f"by {what} was not played")
 
 
 def _lines(lines: Collection[int]) -> str:

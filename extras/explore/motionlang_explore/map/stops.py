@@ -6,23 +6,34 @@ program reads is pressed. What goes on as usual for a while and then begins no o
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from math import inf
+from typing import NamedTuple
 
 from motionlang_explore.exploration import SECOND, Change, Exploration, entries
 
-# So much longer than two cycles the machine is watched, s; all changes together do no more work.
+# So much longer than two cycles the machine is watched, s; once all together have done so much work, no more is played.
 WATCHED, WORK = 3.0, 2 * SECOND
 # Times that differ by less are the same, s.
 SHORT = 1e-6
 
 
-def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
-    """Yield the changes that bring the machine to rest, with the line of its last move, 0 at the end of a cycle."""
+class Stops(NamedTuple):
+    """The changes that bring a machine to rest, and those that were not played to the end.
+
+    A line is that of the last move, 0 at the end of the cycle.
+    """
+
+    lines: Sequence[tuple[Change, int]] = ()
+    left: Sequence[Change] = ()
+
+
+def stops_of(exploration: Exploration) -> Stops:
+    """Return what stops a machine that makes good pieces between its moves; nothing is played of any other."""
     world, most = exploration.world, exploration.work + WORK
     found = world.run.cycle
     if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
-        return
+        return Stops()
     begin, end = found.times[1:3]
     moves = [
         (each.start_time, each.profile.duration, each.line)
@@ -30,25 +41,25 @@ def stopping(exploration: Exploration) -> Iterator[tuple[Change, int]]:
         if each.profile is not None and begin <= each.start_time < end
     ]
     if not moves:
-        return
+        return Stops()
     first, seconds, _ = moves[0]
     time, lines = first + min(seconds, end - begin) / 2.0, [line for *_, line in moves]
-    usual = [*lines[1:], *lines]
+    until, usual = time + 2.0 * found.period + WATCHED, [*lines[1:], *lines]
+    stops, left = list[tuple[Change, int]](), list[Change]()
     for change in _changes(exploration, world.settings):
-        settings = _with(world.settings, change, time)
-        until = time + 2.0 * found.period + WATCHED
-        played = exploration.play_in(settings, until)
-        trial = played.trial
-        begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
-        # A run that was too long to be played to its end tells nothing.
-        stays = trial.time >= until - SHORT and any(
-            each.end == inf and each.begin < until - found.period for each in played.rests
-        )
-        rests = trial.is_stuck or trial.has_ended or stays
-        if rests and len(begun) < len(usual) and begun == usual[: len(begun)]:
-            yield change, [lines[0], *begun][-1] if len(begun) < len(lines) - 1 else 0
         if exploration.work > most:
-            return
+            left.append(change)
+            continue
+        trial, _, rests = exploration.play_in(_with(world.settings, change, time), until)
+        if not (trial.is_stuck or trial.has_ended or trial.time >= until - SHORT):
+            left.append(change)
+            continue
+        begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
+        stays = any(each.end == inf and each.begin < until - found.period for each in rests)
+        is_usual = len(begun) < len(usual) and begun == usual[: len(begun)]
+        if is_usual and (stays or trial.is_stuck or trial.has_ended):
+            stops.append((change, 0 if len(begun) == len(lines) - 1 else [lines[0], *begun][-1]))
+    return Stops(stops, left)
 
 
 def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterator[Change]:

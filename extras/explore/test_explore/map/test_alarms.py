@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from motionlang_explore.map import stops
 from tests.cli.programs import Cell
 
 # Steps in a variable, a count, times, two buttons that reset, and alarms that no trial reaches.
@@ -459,4 +460,14 @@ def test_what_stops_the_machine_between_its_moves_is_played(cell: Cell) -> None:
         "nothing that was played cuts off a move to a target",
         "input 3 (stop released) off or key 9 stops the machine at the end of its cycle",
         "input 2 (door shut) off stops the machine behind line 8",
+    ]
+
+
+def test_what_was_not_played_of_the_stops_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    cell.write("a.prg", STOPS)
+    monkeypatch.setattr(stops, "WORK", 0)
+    shown = cell("map", "a.prg", "--all").out.splitlines()
+    assert [line.strip() for line in shown if "machine stops" in line or "stops the machine" in line] == [
+        "input 2 (door shut) off stops the machine behind line 8",
+        "whether the machine stops by input 3 (stop released) off, key 9 was not played",
     ]
