@@ -1,4 +1,7 @@
-"""Old programs with their own traces, recorded in four ways: no rule is false without being a guess."""
+"""Old programs with their own traces, recorded in four ways: no rule is false without being a guess.
+
+The answers that an operator has typed are in no recording; a run is compared once they are corrected.
+"""
 
 from __future__ import annotations
 
@@ -37,8 +40,8 @@ Changes = dict[int, list[tuple[float, int]]]
 
 
 @cache
-def played(program: str) -> Run:
-    """Return the run of a program in the world that init finds without a recording."""
+def played(program: str) -> tuple[Run, object]:
+    """Return the run of a program in the world that init finds without a recording, and the answers there."""
     language = dialect_of(program)
     assert language is not None
     source = Source.read(str(OLD / program))
@@ -47,7 +50,7 @@ def played(program: str) -> Run:
     found = draft(explore(parsed, board), None, UNTIL, board)
     settings = {key: value for key, value in found.world.settings.items() if not key.startswith("run.")}
     settings |= board | found.exploration.switches.settings
-    return machine_run(OLD / program, {**settings, "run.until": UNTIL})
+    return machine_run(OLD / program, {**settings, "run.until": UNTIL}), settings.get("answer", [])
 
 
 def columns(run: Run, kind: str) -> Columns:
@@ -84,7 +87,7 @@ def is_same(mine: list[tuple[float, int]], right: list[tuple[float, int]]) -> bo
 @pytest.mark.parametrize("program", PROGRAMS)
 @cases("kind", KINDS)
 def test_no_rule_is_false_without_a_mark(cell: Cell, program: str, kind: str) -> None:
-    run = played(program)
+    run, answers = played(program)
     path = cell.write(program, (OLD / program).read_text())
     Path(path).with_suffix(".machine.toml").unlink(missing_ok=True)
     cell.write("rec.csv", csv_of(columns(run, kind)))
@@ -93,7 +96,9 @@ def test_no_rule_is_false_without_a_mark(cell: Cell, program: str, kind: str) ->
     machine = Path(path).with_suffix(".machine.toml")
     settings = read_machine(Source.read(str(machine)))
     guessed = {each["channel"] for each in settings["input"] if "guess" in each}  # type: ignore[attr-defined]
+    assert all("guess" in each for each in settings.get("answer", ()))  # type: ignore[attr-defined]
     kept = {key: value for key, value in settings.items() if not key.startswith("run.stop")}
-    mine, right = changes(machine_run(Path(path), {**kept, "run.until": UNTIL})), changes(run)
+    mine = changes(machine_run(Path(path), {**kept, "answer": answers, "run.until": UNTIL}))
+    right = changes(run)
     false = [each for each in sorted(right) if not is_same(mine[each], right[each]) and each not in guessed]
     assert not false
