@@ -22,8 +22,12 @@ from motionlang.kernel.lang import (
 from motionlang.kernel.tools import ranges
 
 # The keys of the machine file that assign an input to an axis.
-# In the form of a statement: a call, and in the head of a sub a parameter.
+# In the form of a statement: a call, in the head of a sub a parameter, an assignment, and what else gives a value.
 CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
+_ASSIGNS, _GIVES = (
+    re.compile(r"~(\w+) = (.+)", re.DOTALL),
+    re.compile(r"(?:For \(|Input .*?)~(\w+)", re.DOTALL),
+)
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
 # The channels that a loop may poll, by the kind of reading.
 DEVICES = {"input": "input", "analogue": "analogue input", "encoder": "encoder", "operator": "key"}
@@ -145,7 +149,7 @@ def channels(
 
 
 def with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[ChannelUse]:
-    """Return the use of a channel, of each one if its number is a parameter with known values."""
+    """Return the use of a channel, of each one if its number is a variable with known values."""
     numbers = given.get(use.alias.lower(), ()) if use.number == "?" else ()
     return [replace(use, number=each, alias="") for each in numbers] or [use]
 
@@ -156,13 +160,17 @@ def parameters_of(structure: Structure) -> dict[str, list[str]]:
 
 
 def given_numbers(structure: Structure) -> dict[str, list[str]]:
-    """Map the parameters of subs to the numbers with which the program calls them, if all are known."""
+    """Map variables, and parameters of subs, to the numbers that the program gives them, if all are known."""
     names = parameters_of(structure)
     found: dict[str, dict[str, None]] = {}
     for each in structure.statements.values():
+        assigned = _ASSIGNS.fullmatch(each.form)
+        given = [(name, "") for name in _GIVES.findall(each.form)]
+        given += [(assigned[1], assigned[2])] if assigned is not None else []
         for name, values in CALL.findall(each.form):
-            for parameter, value in zip(names.get(name, ()), values.split(", "), strict=False):
-                found.setdefault(parameter, {})[value] = None
+            given += zip(names.get(name, ()), values.split(", "), strict=False)
+        for name, value in given:
+            found.setdefault(name, {})[value] = None
     return {name: list(known) for name, known in found.items() if all(map(str.isdecimal, known))}
 
 

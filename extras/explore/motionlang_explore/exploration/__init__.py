@@ -48,6 +48,7 @@ from motionlang_explore.exploration.changes import (
     entries,
     in_words,
     keys_of,
+    made_by,
     number_in,
     tables_of,
 )
@@ -88,7 +89,7 @@ from motionlang_explore.exploration.trials import (
     asks,
 )
 from motionlang_explore.exploration.values import is_probe
-from motionlang_explore.exploration.words import is_wrong, names_alarm
+from motionlang_explore.exploration.words import is_pushed, is_wrong, names_alarm
 from motionlang_explore.exploration.world import FoundWorld
 from motionlang_explore.identification import Entry
 
@@ -129,9 +130,11 @@ __all__ = [
     "explored",
     "in_words",
     "is_probe",
+    "is_pushed",
     "is_wrong",
     "keys_of",
     "lines_of",
+    "made_by",
     "names_alarm",
     "number_in",
     "statements_of",

@@ -171,7 +171,7 @@ def tables_of(timeline: Timeline, since: float = 0.0) -> dict[str, object]:
 
 def made_by(table: str, entry: Entry) -> tuple[float, Change]:
     """Return the change that an entry makes, with its time; an answer has none."""
-    value: float | str = entry[_value_key(table)]  # type: ignore[assignment]
+    value: float | str = entry.get(_value_key(table), 1.0)  # type: ignore[assignment]
     prompt, at = str(entry.get("prompt", "")), float(entry.get("at", 0.0))  # type: ignore[arg-type]
     return at, Change(table, number_in(table, entry), value, prompt)
 

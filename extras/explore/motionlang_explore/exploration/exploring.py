@@ -57,6 +57,8 @@ def explore(
             found.world = better_world(explorer, found.world, found.cycles)
             if most > seconds and used() < SEARCH and found.fault_of(found.world.run):
                 explorer.whole = explorer.trials.limit = most * SECOND
+                if explorer.explore(FIRST * most * SECOND):
+                    found = Exploration(explorer, before=found)
                 found.world = better_world(explorer, found.world, found.cycles)
     except Interrupted as at:
         if not keeps:

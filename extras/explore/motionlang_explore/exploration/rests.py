@@ -206,7 +206,7 @@ def _waits(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
         known = trial.time + 1.0 if trial.is_stuck and end == inf else min(end, trial.time)
         since = max(wait.since, trial.since)
         question = trial.question if end == inf and wait.cause == "operator" else None
-        place = TaskRest(wait.task, frozenset((wait.at,)), wait.callers)
+        place = TaskRest(wait.task, frozenset((wait.at,)), _without_repeats(wait.callers))
         for begin, until in moves.gaps(since, known):
             if until - begin > SHORTEST_REST:
                 yield _Stay(since, begin, end if until == known else until, place, question)
@@ -293,7 +293,9 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
             begin = moves.at_rest(stretch.begin, known)
             loop = stretch.loop(known)
             if loop and known - begin >= SHORTEST_REST:
-                yield _Stay(stretch.begin, begin, end, TaskRest(name, loop, stretch.callers))
+                yield _Stay(
+                    stretch.begin, begin, end, TaskRest(name, loop, _without_repeats(stretch.callers))
+                )
 
 
 def _stretches(
@@ -318,6 +320,16 @@ def _stretches(
         time = begun.time
     if stretch is not None:
         yield stretch
+
+
+def _without_repeats(callers: Sequence[int]) -> tuple[int, ...]:
+    """Return calls without what lies between a call and the same one again: jumps of macros only lead deeper."""
+    found: dict[int, None] = {}
+    for each in callers:
+        if each in found:
+            found = dict.fromkeys(list(found)[: list(found).index(each)])
+        found[each] = None
+    return tuple(found)
 
 
 def _common(one: tuple[int, ...], other: tuple[int, ...]) -> tuple[int, ...]:

@@ -33,9 +33,9 @@ RESET = _words(
 )
 BY_HAND = _words(
     any=RESET.pattern,
-    en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|ack|push|changed",
+    en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|\back|push(?!er)|changed",
     de=r"tast|knopf|fu(?:ss|ß)",
-    fr=r"poussoir|bouton|p[ée]dale|d[ée]part",
+    fr=r"poussoir|bouton|\bbp\b|p[ée]dale|d[ée]part",
     es=r"pulsador|bot[óo]n|\bmarcha\b|arranque|\bmano",
     it=r"pulsante|avvio|marcia|\bmano\b",
     nl=r"knop|pedaal|\bvoet",
@@ -75,7 +75,7 @@ SHOWN = _words(
     nl=r"\brood\b|\bgroen\b|zoemer|toeter",
 )
 ALARM = _words(
-    en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b",
+    en=r"alarm|\bcall\b|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b",
     de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b",
     fr=r"d[ée]faut|rebut|rouge|mauvais",
     es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz|\bmal[oa]s\b",
@@ -156,6 +156,11 @@ def alarms_in(names: Iterable[Named]) -> frozenset[int]:
     return frozenset(
         each.number for each in names if each.kind in ("output", "channel") and ALARM.search(each.name)
     )
+
+
+def is_pushed(name: str) -> bool:
+    """True if a name is that of what a person pushes at work, such as a start button."""
+    return bool(BY_HAND.search(name)) and not any(each.search(name) for each in (RESET, STEADY, ABSENT))
 
 
 def is_wrong(said: str) -> bool:

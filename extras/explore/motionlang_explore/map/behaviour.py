@@ -17,6 +17,7 @@ from typing import NamedTuple
 from motionlang.comparison.texts import described, plain, without_figures
 from motionlang.kernel import Run
 from motionlang.kernel.lang import Structure
+from motionlang.kernel.tools import ranges
 from motionlang_explore.exploration import (
     Act,
     Change,
@@ -45,6 +46,8 @@ CAUSES = {
 }
 # So many inputs and variables that tell two rows apart are named.
 MAX_DECIDING = 3
+# So many rows of a cycle are a part that is repeated.
+MAX_REPEATED = 40
 # A wait that is shorter is not shown, and what happens so soon after something else happens then, s.
 SHORTEST = 0.001
 
@@ -152,7 +155,7 @@ def behaviour_of(
         words.states(),
         words.handlers(),
         words.choices(),
-        _joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time"))),
+        _folded(_joined(sorted(_cycle_rows(exploration, structure, names, *span), key=attrgetter("time")))),
         cautions(exploration, structure, names),
         words.remarks(),
         sorted(
@@ -494,6 +497,32 @@ def _joined(cycle_rows: Iterable[CycleRow]) -> list[CycleRow]:
             last.seconds = each.time + each.seconds - last.time
         else:
             found.append(each)
+    return found
+
+
+def _folded(rows: Sequence[CycleRow]) -> list[CycleRow]:
+    """Return rows with what is repeated at once several times shown once, and how often it comes again."""
+    same = [(each.line, without_figures(each.what)) for each in rows]
+    found, k = list[CycleRow](), 0
+    while k < len(rows):
+        for length in range(1, MAX_REPEATED + 1):
+            times = 1
+            while same[k : k + length] == same[k + times * length : k + (times + 1) * length]:
+                times += 1
+            if times > 2 and any(line for line, _ in same[k : k + length]):
+                break
+        else:
+            found.append(rows[k])
+            k += 1
+            continue
+        after = k + times * length
+        found += rows[k : k + length]
+        lines = {line for line, _ in same[k : k + length] if line}
+        begin, last = rows[k + length].time, rows[after - 1]
+        end = rows[after].time if after < len(rows) else last.time + (last.seconds or 0.0)
+        what = f"{times - 1} times more: line{'s' * (len(lines) > 1)} {ranges(lines)}"
+        found.append(CycleRow(begin, min(lines), what, end - begin))
+        k = after
     return found
 
 

@@ -7,8 +7,8 @@ time-out if nothing came by itself while it lasted.
 from __future__ import annotations
 
 import re
-from collections import Counter, defaultdict
-from collections.abc import Collection, Iterator, Sequence
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from motionlang.kernel.lang import WRITE, Statement, Structure
@@ -16,21 +16,20 @@ from motionlang.kernel.tools import ranges
 from motionlang_explore.exploration import (
     Change,
     Exploration,
-    RestState,
-    Transition,
-    entries,
     is_wrong,
-    without_memory,
 )
 from motionlang_explore.map.ends import Ends, Steps
 from motionlang_explore.map.names import ReaderNames, is_alarm
 from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
+from motionlang_explore.map.starts import starts_of
 from motionlang_explore.map.stops import stops_of
 
 # The values with which an output is switched off.
 _OFF = ("0", "_off", "_false")
 _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
+# What holds where there is no alarm, as (fault = 0).
+_IS_NONE = re.compile(r"= 0\)?$|^not ", re.IGNORECASE)
 _NAME, _CLOCK = re.compile(r"[A-Za-z_]\w*"), re.compile(r"\bTIME\b")
 
 
@@ -64,65 +63,26 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
 
 
-def _ways(exploration: Exploration, *begin: RestState | None) -> dict[RestState | None, list[Transition]]:
-    """Return the states that follow some states, each with the shortest way there, by the fewest changes first."""
-    nodes = {node.state: node for node in exploration.nodes}
-    found, queue = {state: list[Transition]() for state in begin}, list(begin)
-    for state in queue:
-        for each in sorted(
-            nodes[state].transitions if state in nodes else (), key=lambda way: len(way.causes)
-        ):
-            if each.target is not None and each.target not in found:
-                found[each.target] = [*found[state], each]
-                queue.append(each.target)
-    return found
-
-
 def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield the changes from the state to which the machine returns to the first move of its cycle."""
-    cycle, ways = exploration.world.cycle, _ways(exploration, None)
-    back = {without_memory(state) for state in _ways(exploration, *cycle.states)}
-    firsts = (
-        each
-        for node in sorted(
-            (node for node in exploration.nodes if node.state in ways), key=lambda node: len(ways[node.state])
-        )
-        for each in sorted(node.transitions, key=lambda way: len(way.causes))
-        if each.work & (cycle.work or each.work)
-    )
-    first = next(firsts, None)
-    if first is None:
+    """Yield what starts the cycle, with what else it needs and was played with."""
+    starts = starts_of(exploration, names)
+    if starts is None:
         return
-    path = [*ways[first.source], first]
-    begin = next((k for k, each in enumerate(path) if without_memory(each.source) in back), 0)
-    given = entries(exploration.world.settings, "input")
-    once = Counter(each["channel"] for each in given)
-    always = {
-        f"input {each['channel']}"
-        for each in given
-        if each.keys() <= {"channel", "at", "value"} and each.get("value", 1) and once[each["channel"]] == 1
-    }
-    follows = {f"input {each['channel']}" for each in given if each.keys() & {"output", "axis"}}
-    made = [[one for one in each.causes if not one.moment.line] for each in path]
-    # What is left on starts nothing, nor what follows an output, unless nothing else is changed.
-    starting: list[list[Change]] = []
-    for others in (always | follows, always, set[str]()):
-        left = ([one for one in some if one.subject not in others] for some in made[begin:])
-        starting = starting or [some for some in left if some]
-    steps = [" and ".join(map(names.of, some)) for some in starting]
-    what = ", then ".join(steps) or "power-up"
-    starters = {one.subject for some in starting for one in some}
-    needed = dict.fromkeys(
-        one.subject for some in made for one in some if one.value and one.subject not in starters
-    )
-    held, answers = ([names[each] for each in needed if each in some] for some in (always, follows))
-    why = f" with {', '.join(held)} on" if held else ""
-    why += f"; played with {', '.join(answers)} behind an output or an axis" if answers else ""
-    changed = {one.subject for some in made for one in some}
-    on = [names[each] for each in sorted(always - changed, key=lambda each: int(each[6:]))]
-    why += f"{' and' if answers else '; played'} with {', '.join(on)} on" if on else ""
-    yield CautionRow(
-        "starts", what, f"start{'s' if ' and ' not in what and len(steps) < 2 else ''} the cycle{why}"
+    what = " and ".join(map(names.of, starts.by)) or "power-up"
+    why = f" with {_listed(starts.held, names)}" if starts.held else ""
+    following = ", ".join(names[each.subject] for each in starts.following)
+    played = [f"with {following} behind an output or an axis"] if following else []
+    played += [f"with {_listed(starts.others, names)}"] if starts.others else []
+    why += f"; played {' and '.join(played)}" if played else ""
+    yield CautionRow("starts", what, f"start{'' if len(starts.by) > 1 else 's'} the cycle{why}")
+
+
+def _listed(changes: Iterable[Change], names: ReaderNames) -> str:
+    """Return changes in words, the names of the inputs that come on first."""
+    on = [names[each.subject] for each in changes if each.table == "input" and each.value]
+    return ", ".join(
+        [f"{', '.join(on)} on"] * bool(on)
+        + [names.of(each) for each in changes if not (each.table == "input" and each.value)]
     )
 
 
@@ -142,7 +102,7 @@ def _alarms(
         is_question = any(use.channel == "answer" for use in each.channels)
         texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
         shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
-        values = next((known for one in shown if len(known := reasons.values(one)) > 1), {})
+        values = next((known for one in shown if len(known := reasons.values(one, each.at)) > 1), {})
         is_number = bool(values) and any(map(is_alarm, (*shown, *texts)))
         values = values if is_number else {}  # a step or a count in a text is no number of an alarm
         is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
@@ -153,7 +113,11 @@ def _alarms(
         if texts and (is_trouble or is_left):
             what = [repr(" ... ".join(texts) + " ..." * bool(values))]
         else:
-            hosts = [names[f"{use.channel} {use.number}"] for use in written if is_number]
+            hosts = [
+                names[f"{use.channel} {use.number}"]
+                for use in written
+                if is_number and not _IS_NONE.search(use.value)
+            ]
             what = lamps if lamps and is_on else hosts
         if what:
             by = [one for known in values.values() for one in known] or causes
@@ -235,7 +199,7 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
 
 def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
     """Yield what stops the machine between its moves, with the line of the last one, or at the end of a cycle."""
-    known, stops = exploration.cut_off(), stops_of(exploration)
+    known, stops = exploration.cut_off(), stops_of(exploration, names)
     found: dict[int, list[str]] = defaultdict(list)
     for change, line in stops.lines:
         if change not in known:

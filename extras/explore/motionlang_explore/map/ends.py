@@ -91,13 +91,20 @@ class Ends:
             for each in node.transitions
             if alarm.at & each.begun.union(*(place.statements for place in each.target or ()))
         )
-        first = min(ways, key=lambda each: (len(each.causes), len(each.visit.timeline)), default=None)
+        # A way that goes on into a good state has its end behind it.
+        first = min(
+            ways,
+            key=lambda each: (each.target in self._good, len(each.causes), len(each.visit.timeline)),
+            default=None,
+        )
         if first is None or first.target is None:
             return ()
         known = tuple(self._known)
         if self._is_out_of_work and not known:
             return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
+        if alarm.goes_on(start.played):
+            return ()
         alarm.begins(start.played, first)
         if alarm.is_over(start.played, has_come=False):
             return ()
@@ -204,6 +211,12 @@ class _Alarm:
         self.levels = channel_levels(self._cycle.visit.timeline, inf)
         # What has led to the alarm, the other way round.
         self.undone: Step = ()
+
+    def goes_on(self, played: PlayedTimeline) -> bool:
+        """True if what is only said leads to a place to which the machine comes without it as well."""
+        return not self._outputs and any(
+            without_memory(each.state) in self._places for each in played.rests[-1:]
+        )
 
     def begins(self, played: PlayedTimeline, led: Transition) -> None:
         """Take note of what has led to the alarm, and of the rest behind it.

@@ -83,6 +83,10 @@ class Reasons:
         # The times for which the lines of MCCL wait.
         self._waited: dict[int, list[str]] = defaultdict(list)
         parameters, self._given = parameters_of(structure), given_numbers(structure)
+        self._parameters = {each for names in parameters.values() for each in names}
+        # The variables that are the numbers of channels.
+        uses = (use for each in structure.statements.values() for use in each.channels)
+        self._numbers = {use.alias.lower() for use in uses if use.number == "?"}
         for p in sorted(self._guards):
             statement = self._statement(p)
             if statement is not None and self._first.setdefault(statement.at, p) == p:
@@ -199,12 +203,17 @@ class Reasons:
         statement = self._statement(p)
         return self._test(p, bool(statement.waits)) if statement is not None else []
 
-    def values(self, name: str) -> dict[str, list[Reason]]:
-        """Return the numbers but 0 that the program gives a variable, with the reasons of each."""
+    def values(self, name: str, at: int) -> dict[str, list[Reason]]:
+        """Return the numbers but 0 that the program gives a variable, with the reasons of each, for a statement."""
         found: dict[str, list[Reason]] = defaultdict(list)
-        for p, value in self._assignments(name.lower()):
-            if value.isdecimal() and value != "0":
-                found[value] += self._of(p)
+        passed = {name.lower(), *(value[1:] for _, value in self._sites.get(name.lower(), []))}
+        for p, number in self._assignments(name.lower()):
+            if number.isdecimal() and number != "0":
+                known, own = self._of(p), f"{self._names[f'input {number}']} "
+                # Of what is found of several channels that of the one with the number counts.
+                made = (*known, *self.of(at)) if passed & self._numbers else ()
+                mine = [each for each in dict.fromkeys(made) if each.words.startswith(own)]
+                found[number] += mine or known
         return dict(sorted(found.items()))
 
     # --------------------------------------------------------------------------------------------------- reasons
@@ -315,8 +324,10 @@ class Reasons:
             return self._compared(compared[1], sign, compared[3], q, statement)
         form = _condition(statement)
         made = self._tree(form, side, q, statement) if len(form) < MAX_LENGTH else []
-        if len(made) == 1 and made[0].rank == DIRECT:
-            return [made[0]._replace(words=made[0].words + self._time_before(q, statement, made[0].words))]
+        if {each.rank for each in made} == {DIRECT} and len(statement.channels) == 1:
+            return [
+                each._replace(words=each.words + self._time_before(q, statement, each.words)) for each in made
+            ]
         if len(made) == 1 and made[0].rank == COUNTED:
             return [made[0]._replace(words=made[0].words + self._lacking_before(q, made[0].words))]
         return made or [_quoted(statement, side)]
@@ -377,6 +388,11 @@ class Reasons:
                     return self._in_step(step, others, q)
             best = max((one.rank for each in parts for one in each), default=QUOTED)
             kept = [each for each in parts if {one.rank for one in each} in ({COUNTED}, {best})]
+            # What was otherwise when a variable was set is over.
+            now = [_opposite(one.words) for each in kept for one in each]
+            kept = [
+                each for each in kept if not all(any(one in its.words for one in now) for its in each)
+            ] or kept
             words = " and ".join(dict.fromkeys(" or ".join(one.words for one in each) for each in kept))
             return [Reason(words, max(one.line for one in kept[0]), best)] if kept else []
         if sign == "<>" and "~" in form:
@@ -470,10 +486,16 @@ class Reasons:
             yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
 
     def _assignments(self, name: str) -> list[tuple[int, str]]:
-        """Return where which value is assigned to a name; for a parameter, where it is given."""
+        """Return where which value is assigned to a name; for a parameter, where it is given.
+
+        Each number of a variable that is assigned is one.
+        """
         found = list[tuple[int, str]]()
         for p, value in self._sites.get(name, [])[:MAX_SITES]:
-            found += self._sites.get(value[1:], [])[:MAX_SITES] if value.startswith("~") else [(p, value)]
+            if value[1:] in self._parameters:
+                found += self._sites.get(value[1:], [])[:MAX_SITES]
+            else:
+                found += [(p, each) for each in self._given.get(value[1:], [value])]
         return found
 
     def _constant(self, form: str) -> str:
@@ -567,9 +589,8 @@ def _opposite(words: str) -> str:
 def _quoted(statement: Statement, side: bool) -> Reason:
     text = statement.condition
     if not side:  # the condition of an Until has been turned around already
-        text = (
-            text[5:-1] if statement.form.startswith("Until ") and text.startswith("not (") else f"not {text}"
-        )
+        is_until = statement.form.startswith("Until ") and text.startswith("not (")
+        text = text[5:-1] if is_until else f"not ({text})" if " " in text else f"not {text}"
     return Reason(f"`{text}`", statement.line)
 
 

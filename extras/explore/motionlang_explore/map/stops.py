@@ -1,16 +1,19 @@
 """What stops a machine between its moves: it is played in the world of its cycle.
 
 In the first move of a cycle each input that is left on goes off, each that is left off comes on, and each key that the
-program reads is pressed. What goes on as usual for a while and then begins no other move has been stopped there.
+program reads is pressed. What goes on as usual for a while and then begins no other move has been stopped there. A
+machine that goes on as usual when its start button is released is played so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import reduce
 from math import inf
 from typing import NamedTuple
 
-from motionlang_explore.exploration import SECOND, Change, Exploration, entries
+from motionlang_explore.exploration import SECOND, Change, Exploration, entries, is_pushed
+from motionlang_explore.map.names import ReaderNames
 
 # So much longer than two cycles the machine is watched, s; once all together have done so much work, no more is played.
 WATCHED, WORK = 3.0, 2 * SECOND
@@ -28,7 +31,7 @@ class Stops(NamedTuple):
     left: Sequence[Change] = ()
 
 
-def stops_of(exploration: Exploration) -> Stops:
+def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
     """Return what stops a machine that makes good pieces between its moves; nothing is played of any other."""
     world, most = exploration.world, exploration.work + WORK
     found = world.run.cycle
@@ -45,20 +48,33 @@ def stops_of(exploration: Exploration) -> Stops:
     first, seconds, _ = moves[0]
     time, lines = first + min(seconds, end - begin) / 2.0, [line for *_, line in moves]
     until, usual = time + 2.0 * found.period + WATCHED, [*lines[1:], *lines]
-    stops, left = list[tuple[Change, int]](), list[Change]()
-    for change in _changes(exploration, world.settings):
-        if exploration.work > most:
-            left.append(change)
-            continue
-        trial, _, rests = exploration.play_in(_with(world.settings, change, time), until)
+
+    def line_behind(settings: Mapping[str, object]) -> int | None:
+        """Return the line behind which the machine stops, 0 at the end of its cycle, -1 if it goes on."""
+        trial, _, rests = exploration.play_in(settings, until)
         if not (trial.is_stuck or trial.has_ended or trial.time >= until - SHORT):
-            left.append(change)
-            continue
+            return None
         begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
         stays = any(each.end == inf and each.begin < until - found.period for each in rests)
         is_usual = len(begun) < len(usual) and begun == usual[: len(begun)]
-        if is_usual and (stays or trial.is_stuck or trial.has_ended):
-            stops.append((change, 0 if len(begun) == len(lines) - 1 else [lines[0], *begun][-1]))
+        if not (is_usual and (stays or trial.is_stuck or trial.has_ended)):
+            return -1
+        return 0 if len(begun) == len(lines) - 1 else [lines[0], *begun][-1]
+
+    settings = world.settings
+    pushed = [
+        one for one in _changes(exploration, settings) if not one.value and is_pushed(names[one.subject])
+    ]
+    released = reduce(lambda made, one: _with(made, one, time), pushed, settings)
+    if pushed and line_behind(released) == -1:
+        settings = released
+    stops, left = list[tuple[Change, int]](), list[Change]()
+    for change in _changes(exploration, world.settings):
+        line = line_behind(_with(settings, change, time)) if exploration.work <= most else None
+        if line is None:
+            left.append(change)
+        elif line >= 0:
+            stops.append((change, line))
     return Stops(stops, left)
 
 

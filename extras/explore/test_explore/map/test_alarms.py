@@ -299,6 +299,46 @@ LOOP
   WAIT = 5
 ENDL
 """
+# Valves that one sub waits for by their number, a lamp that is on without a fault, and a door that stops a run.
+VALVES = """\
+REM IN 0 start  1 jaw shut  2 ram down  3 door shut  4 reset  5 stop
+REM OUT 1 jaw  2 ram  3 red lamp  4 green lamp
+bad = 0 : going = 0
+LOOP
+  IF INX.0 = 1 AND INX.3 = 1 AND bad = 0 THEN going = 1
+  IF INX.3 = 0 AND going = 1 THEN ? "DOOR OPEN" : going = 0
+  IF INX.5 = 1 THEN going = 0
+  IF going = 1 AND bad = 0 THEN GOSUB work
+  OUTX.4 = (bad = 0) : OUTX.3 = (bad > 0)
+  IF bad > 0 AND INX.4 THEN bad = 0
+  WAIT = 10
+ENDL
+#work
+  OUTX.1 = 1
+  valve = 1 : GOSUB look
+  IF bad = 0 DO
+    OUTX.2 = 1
+    valve = 2 : GOSUB look
+  ENDIF
+  IF bad = 0 DO
+    MOVEA.0 = 50 : GO.0 : PAUSE IDLE.0
+    MOVEA.0 = 0 : GO.0 : PAUSE IDLE.0
+    ? "PART OK"
+  ENDIF
+  OUTX.1 = 0 : OUTX.2 = 0
+  WAIT = 300
+RETURN
+#look
+  t0 = TIME
+  WHILE INX[valve] = 0 AND TIME - t0 < 800
+    WAIT = 5
+  ENDW
+  IF INX[valve] = 0 DO
+    bad = valve
+    ? "VALVE FAULT ", valve
+  ENDIF
+RETURN
+"""
 
 
 @pytest.mark.parametrize(
@@ -357,9 +397,8 @@ ENDL
             [
                 "'HOOD OPEN' comes by input 3 (hood) (event IN3), line 26 and `POS(0) > 5`, line 9 (not "
                 "played)",
-                "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16; ends by input 2 (ram) on",
-                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24; as it was "
-                "played, it ends by input 1 (clamp) on and input 2 (ram) on",
+                "'RAM STUCK' comes by input 2 (ram) off 0.8 s after line 13, line 16",
+                "'NO ANSWER' comes by input 1 (clamp) off, line 24 or input 2 (ram) off, line 24",
             ],
             id="waits",
         ),
@@ -399,9 +438,20 @@ ENDL
         ),
         pytest.param(
             "a.prg",
+            VALVES,
+            [
+                "'DOOR OPEN' comes by input 3 (door shut) off, line 6",
+                "output 3 (red lamp) and 'VALVE FAULT ...' come with 1: by input 1 (jaw shut) off 0.8 s "
+                "after line 29, line 33; 2: by input 2 (ram down) off 0.8 s after line 29, line 33; ends by "
+                "input 1 (jaw shut) on and input 2 (ram down) on, then input 4 (reset) on",
+            ],
+            id="valves",
+        ),
+        pytest.param(
+            "a.prg",
             FLAGS,
             [
-                "'STOPPED' comes by input 1 (lid shut) off if `going = 1`, line 4; ends by input 1 (lid shut) on",
+                "'STOPPED' comes by input 1 (lid shut) off if `going = 1`, line 4",
                 "'RAM STUCK' comes by input 4 (ram down) off, line 16 and 1.5 s after line 15",
             ],
             id="flags",

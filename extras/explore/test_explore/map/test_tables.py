@@ -86,7 +86,8 @@ def test_an_input_with_all_its_uses() -> None:
         ("COMMS(5) = COMMS(6)", "comms element 6", "in"),
         ("NVLONG(7) = NVLONG(7) + 1", "nv word 7", "in/out"),
         ("PRINT REMOTEINX(1, 2, 3)", "remote node 1, 2, 3", "in"),
-        ("PRINT INX(n) : n = 1", "input ?", "in"),
+        ("n = 1 : PRINT INX(n)", "input 1", "in"),
+        ("PRINT INX(n) : n = n + 1", "input ?", "in"),
         ("DRIVEENABLEOUTPUT(0) = 4", "output 4", "out"),
     ],
 )

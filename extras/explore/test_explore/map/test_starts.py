@@ -1,0 +1,95 @@
+"""What starts the cycle of a machine, and what it needs, as it is played."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.cli.programs import Cell
+
+# The pump fills itself at power-up, by the same move as in the cycle; a fault jumps back to the idle macro.
+FILLER = """\
+; i/p 1 tray at stop  2 syrup in hopper  3 nozzle open  4 start key  5 purge key  6 reset
+; o/p 9 nozzle  10 red lamp
+CT9,CT10
+1MN,2MN
+1SV50,1SA500,1DS500,2SV100,2SA900,2DS900
+MD2,AL0,AR30,CN9,MC3
+MD3,IN3,BK,NO,WA0.01,RA30,AA1,AR30,IB40,JP0,NO,MJ80
+MD4,CF9,WF3,WN2,1MA20,1WS0.05
+MD10,MC2,1MR-6,1WS0.1,MC4
+MD20,WN1,MC10,2MR40,2WS0.05,RP2
+MD30,IN5,MC10,NO,IN4,MC20,NO,WA0.02,JP0
+MD80,CF9,CN10,WN6,WF6,CF10,MJ30
+MC4
+MJ30
+"""
+# A menu that also tries a part of the work; the clamp follows its valve, and the pedal is held.
+MENU = """\
+' IN 0 foot pedal  1 clamp shut  2 guard shut  3 oil ok  5 hand wheel out
+' OUT 1 clamp
+Dim k As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  k = INKEY
+  If k = Asc("1") Then Work()
+  If k = Asc("2") Then Bend(0)
+  WAIT = 20
+End Loop
+Sub Work()
+  Input "How many ", n
+  For i = 1 To n
+    PAUSE INX(0)
+    Bend(1)
+    PAUSE Not INX(0)
+    Print "PART "; i
+  Next
+End Sub
+Sub Bend(ByVal all As Integer)
+  OUTX(1) = 1
+  PAUSE INX(1)
+  PAUSE INX(2)
+  MOVEA(0) = 40 : GO(0) : PAUSE IDLE(0)
+  If Not INX(3) Then Print "LOW OIL"
+  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+  If all Then MOVER(1) = 5 : GO(1) : PAUSE IDLE(1)
+  OUTX(1) = 0
+End Sub
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "sentence"),
+    [
+        pytest.param(
+            "a.mccl",
+            FILLER,
+            "input 4 (start key) on starts the cycle with input 1 (tray at stop), input 2 (syrup in hopper) on; "
+            "played with input 3 (nozzle open) behind an output or an axis",
+            id="filler",
+        ),
+        pytest.param(
+            "a.mnt",
+            MENU,
+            "input 0 (foot pedal) on and key 1 and 'How many' 10 start the cycle with input 1 (clamp shut), "
+            "input 2 (guard shut), input 3 (oil ok) on",
+            id="menu",
+        ),
+    ],
+)
+def test_what_starts_the_cycle_is_played(cell: Cell, name: str, text: str, sentence: str) -> None:
+    cell.write(name, text)
+    part = cell("map", name, "--all").out.split("Before you change anything\n")[1].split("\n\n")[0]
+    assert [each.strip() for each in part.replace("\n      ", " ").splitlines() if " the cycle" in each] == [
+        sentence
+    ]
+
+
+def test_macros_that_jump_to_one_another_get_no_deeper_states(cell: Cell) -> None:
+    cell.write("a.mccl", FILLER)
+    shown = cell("map", "a.mccl", "--all").out.splitlines()
+    assert [each.split(":")[0] for each in shown if each.startswith("waits in 12")] == [
+        "waits in 12 called in 11, 9, 6",
+        "waits in 12 called in 11, 9, 6",
+        "waits in 12 called in 11, 10, 9, 6",
+        "waits in 12 called in 11, 10, 9, 6",
+    ]
