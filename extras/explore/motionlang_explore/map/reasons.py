@@ -28,7 +28,7 @@ _COMPARISONS = {
     "<=": ("at most", ">", ">=", operator.le), ">=": ("at least", "<", "<=", operator.ge),
 }  # fmt: skip
 # In the form of a statement: an assignment to a name, a number, a reading of a channel, and a time.
-_ASSIGNS, _NUMBER = re.compile(r"(?:~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
+_ASSIGNS, _NUMBER = re.compile(r"(?:!?~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*|~\w+)\))?")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
 _CASE = re.compile(r"CaseTest None (\S+) ([^\s,()]+)")
@@ -82,7 +82,8 @@ class Reasons:
         self._sites: dict[str, list[tuple[int, str]]] = defaultdict(list)
         # The times for which the lines of MCCL wait.
         self._waited: dict[int, list[str]] = defaultdict(list)
-        parameters, self._given = parameters_of(structure), given_numbers(structure)
+        self._parameters_of, self._given = parameters_of(structure), given_numbers(structure)
+        parameters = self._parameters_of
         self._parameters = {each for names in parameters.values() for each in names}
         # The variables that are the numbers of channels.
         uses = (use for each in structure.statements.values() for use in each.channels)
@@ -246,18 +247,23 @@ class Reasons:
         is_looped = any(self._is_loop(outer) for outer, _ in self._guards[q])
         is_counted = all(each.rank == COUNTED for each in made)
         if is_counted:
-            around = self._of(q)
+            ways = [self._of(q)]
         elif self._depth > MAX_DEPTH:
             return made
         else:
             self._depth += 1
-            around = [each for outer in self._outside(q) for each in self._within(outer, True)]
+            ways = [self._within(outer, True) for outer in self._outside(q)]
             self._depth -= 1
-        around = [
-            each
-            for each in around
-            if each.rank >= DIRECT and not any(_opposite(each.words) in one.words for one in made)
+        ways = [
+            [
+                each
+                for each in way
+                if each.rank >= DIRECT and not any(_opposite(each.words) in one.words for one in made)
+            ]
+            for way in ways
         ]
+        # Of several ways each has to be known.
+        around = [each for way in ways for each in way] if all(ways) else []
         if not around or (is_looped and not is_counted):
             return made
         outer = " or ".join(each.text for each in around[:MAX_REASONS])
@@ -414,6 +420,9 @@ class Reasons:
                     COUNTED,
                 )
             ]
+        called = CALL.fullmatch(left)
+        if called is not None:
+            return self._result(called, sign, right, q, statement)
         is_name = left.startswith("~") and (side or sign != "=")
         return list(dict.fromkeys(self._assigned(left[1:], sign, right, q, statement))) if is_name else []
 
@@ -448,12 +457,46 @@ class Reasons:
         for use in next(filter(None, read), []):
             yield Reason(self._channel(use, sign, right), statement.line, DIRECT)
             return
+        for called in filter(None, (CALL.fullmatch(value) for _, value in sites)):
+            yield from self._result(called, sign, right, q, statement)
         numbers = [(p, value) for p, value in sites if _is_number(value)]
         if _is_number(right):
             yield from self._set(numbers, sign, right, q, statement)
         before = [each for each in counts if each[0] < q][-1:] or counts[:1]
         if before and sign[0] in ("<=" if "-" in before[0][1] else ">="):
             yield from self._counted(before[0], numbers, sign, right)
+
+    def _result(
+        self, called: re.Match[str], sign: str, right: str, q: int, statement: Statement
+    ) -> list[Reason]:
+        """Return why a function with the values of a call returns what compares so, with the time of its loops."""
+        name, values = called.groups()
+        known, given = self._known, self._given
+        bound = zip(self._parameters_of.get(name, ()), values.split(", "), strict=False)
+        self._known, self._given = {}, {**given, **{parameter: [value] for parameter, value in bound}}
+        numbers = [(p, value) for p, value in self._assignments(name) if _is_number(value)]
+        made = list(self._set(numbers, sign, right, q, statement)) if _is_number(right) else []
+        times = {
+            each.words
+            for p in self._within_unit(name)
+            if self._is_loop(p) and (loop := self._statement(p)) is not None
+            for each in self._tree(_condition(loop), False, p, loop)
+            if _TIME.match(each.words)
+        }
+        self._known, self._given = known, given
+        if len(times) == 1 and len(made) == 1 and made[0].words.startswith("without "):
+            return [made[0]._replace(words=f"{min(times)} {made[0].words}")]
+        return made
+
+    def _within_unit(self, name: str) -> Iterator[int]:
+        """Yield the points of a unit, without those of what it calls."""
+        seen, stack = set[int](), [each.entry for each in self._structure.units if each.name.lower() == name]
+        while stack and len(seen) < MAX_LENGTH:
+            p = stack.pop()
+            if p >= 0 and p not in seen:
+                seen.add(p)
+                stack += self._structure.points[p].next
+                yield p
 
     def _set(
         self, numbers: Sequence[tuple[int, str]], sign: str, right: str, q: int, statement: Statement
@@ -499,7 +542,9 @@ class Reasons:
         return found
 
     def _constant(self, form: str) -> str:
-        """Return the only number that is assigned to a name, or the form itself."""
+        """Return the only number that is assigned to a name, or given to it, or the form itself."""
+        if form[1:] in self._parameters and len(self._given.get(form[1:], ())) == 1:
+            return self._given[form[1:]][0]
         sites = self._sites.get(form[1:], []) if form.startswith("~") and form[1:] not in self._clocks else []
         return sites[0][1] if len(sites) == 1 and _is_number(sites[0][1]) else form
 

@@ -339,6 +339,43 @@ RETURN
   ENDIF
 RETURN
 """
+# What a function returns that waits, asked in three spellings, by a part that two keys call.
+SEEN = """\
+' IN 0 part in  1 clamp shut  2 ram down  3 ram up  4 reset
+Dim k As Integer
+Dim n As Integer
+Loop
+  k = INKEY
+  If k = Asc("1") Then Stroke()
+  If k = Asc("2") Then
+    PAUSE INX(0)
+    Stroke()
+    Print "PART OK"
+  End If
+  WAIT = 20
+End Loop
+Sub Stroke()
+  OUTX(1) = 1
+  If Seen(1, 500) = 0 Then Print "NO CLAMP"
+  MOVEA(0) = 40 : GO(0) : PAUSE IDLE(0)
+  If Not Seen(2, 800) Then Print "RAM STUCK"
+  MOVEA(0) = 0 : GO(0) : PAUSE IDLE(0)
+  n = Seen(3, 1200)
+  If n = 0 Then
+    Print "RAM LOW"
+    PAUSE INX(4)
+  End If
+  OUTX(1) = 0
+End Sub
+Function Seen(ByVal sensor As Integer, ByVal ms As Integer) As Integer
+  TIME = 0
+  Seen = 0
+  Repeat
+    If INX(sensor) Then Seen = 1
+    WAIT = 5
+  Until Seen = 1 Or TIME > ms
+End Function
+"""
 
 
 @pytest.mark.parametrize(
@@ -446,6 +483,16 @@ RETURN
                 "input 1 (jaw shut) on and input 2 (ram down) on, then input 4 (reset) on",
             ],
             id="valves",
+        ),
+        pytest.param(
+            "a.mnt",
+            SEEN,
+            [
+                "'NO CLAMP' comes 0.5 s after line 28 without input 1 (clamp shut) on, line 16",
+                "'RAM STUCK' comes 0.8 s after line 28 without input 2 (ram down) on, line 18",
+                "'RAM LOW' comes 1.2 s after line 28 without input 3 (ram up) on, line 21; ends by input 4 (reset) on",
+            ],
+            id="function",
         ),
         pytest.param(
             "a.prg",
