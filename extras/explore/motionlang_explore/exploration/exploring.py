@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from math import inf
+from math import fsum, inf
 
 from motionlang.kernel import Program, Source, dialect_for, settings_next_to
 from motionlang_explore.exploration.changes import (
@@ -18,6 +18,7 @@ from motionlang_explore.exploration.trials import (
     SECOND,
     Interrupted,
 )
+from motionlang_explore.exploration.world import ENOUGH, WHOLE, FoundWorld
 
 # An exploration takes so long on an ordinary core, s, and one that shows what a good piece is so long at most.
 SECONDS, PIECE = 5.0, 30.0
@@ -60,12 +61,35 @@ def explore(
                 if explorer.explore(FIRST * most * SECOND):
                     found = Exploration(explorer, before=found)
                 found.world = better_world(explorer, found.world, found.cycles)
+            found.world = _until_it_repeats(explorer, found.world)
     except Interrupted as at:
         if not keeps:
             raise
         found = Exploration(explorer, at.result)
     explorer.trials.limit = inf  # what is asked of the result is no part of it
     return found
+
+
+def _until_it_repeats(explorer: Explorer, world: FoundWorld) -> FoundWorld:
+    """Return a world with a longer run, if its own may be too short to have its cycle several times.
+
+    It is if the cycle of the states takes long, or if the work says something that the repetition does not say.
+    """
+    run, period = world.run, fsum(each.seconds for each in world.cycle.transitions)
+    found, prints = run.cycle, run.machine.log.prints
+    is_short = (
+        found is None
+        or ENOUGH * period > run.time
+        or any(
+            each.time > found.times[0] and explorer.line(each.at) not in found.lines
+            for each in prints
+            if each.at >= 0
+        )
+    )
+    if run.status != "until" or run.time >= WHOLE or not (is_short and len(run.machine.log.moves)):
+        return world
+    explorer.trials.limit = explorer.trials.work + SECOND
+    return world._replace(run=explorer.trials.run_in(world.settings, WHOLE)[0])
 
 
 def explored(source: Source, switches: Mapping[str, object] | None = None) -> Exploration:

@@ -10,6 +10,10 @@ from itertools import groupby
 
 from motionlang.kernel.lang import CALL, ENTER, Definition, Named, Structure, Unit
 
+# Why lines never run that nothing calls, jumps to or starts.
+UNREACHED = "nothing leads here"
+# A comment of more lines than this is a heading.
+MAX_COMMENT = 3
 # What a comment above a macro has before its meaning: a line, and its definition again: "---- macro 1:".
 _MACRO = re.compile(r"^[\s*=-]*(?:(?:macro|md)\s*\d+\b[\s:.=-]*)?", re.IGNORECASE)
 # The kinds of definitions that hold a value.
@@ -20,7 +24,7 @@ _VALUES = ("variable", "parameter", "constant", "define", "register")
 class UnitMap:
     """A unit of a program: what it calls and starts, by title with the lines, and what calls and starts it.
 
-    `is_reached` is False if nothing leads to it. `meaning` is the comment in the line above a macro.
+    `is_reached` is False if nothing leads to it. `meaning` is the comment above a macro.
     """
 
     title: str
@@ -84,7 +88,7 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
             own.started_by.setdefault(f"{trigger.channel} {trigger.number}".strip(), [])
         own.is_reached = k in reader.reached_units
         if unit.kind == "macro":
-            own.meaning = _MACRO.sub("", comments.get(unit.line - 1, ""))
+            own.meaning = _comment_above(unit.line, comments)
         for at, callee in reader.calls[k]:
             title = structure.units[callee].title
             line = structure.line(at)
@@ -95,10 +99,19 @@ def units(structure: Structure, comments: Mapping[int, str]) -> tuple[list[UnitM
             for each in meant.get(title, ()):
                 _add(by_title[each].started_by, own.title, structure.line(at))
     unreached = [
-        UnreachedRow(first, last, structure.source.line(first).strip(), "nothing leads here")
+        UnreachedRow(first, last, structure.source.line(first).strip(), UNREACHED)
         for first, last in reader.unreached_lines
     ]
     return list(made.values()), unreached
+
+
+def _comment_above(line: int, comments: Mapping[int, str]) -> str:
+    """Return the comment of some lines above a line, the last one of a heading."""
+    above = list[str]()
+    while len(above) <= MAX_COMMENT and line - 1 - len(above) in comments:
+        above.insert(0, comments[line - 1 - len(above)])
+    parts = (_MACRO.sub("", each).strip() for each in (above if len(above) <= MAX_COMMENT else above[-1:]))
+    return " ".join(filter(None, parts))
 
 
 def variables(

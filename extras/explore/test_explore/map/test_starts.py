@@ -93,3 +93,48 @@ def test_macros_that_jump_to_one_another_get_no_deeper_states(cell: Cell) -> Non
         "waits in 12 called in 11, 10, 9, 6",
         "waits in 12 called in 11, 10, 9, 6",
     ]
+
+
+# A part takes seven strokes of more than four seconds; macros 60 and 61 are typed by a fitter.
+STROKES = """\
+; i/p 1 blank in chuck  2 tool down  3 start button  5 fault acknowledged
+; o/p 9 tool  10 lamp fault  11 lamp at work
+; analogue 1 photocell, more than 4 is good
+CT9,CT10,CT11
+AL0,AR20
+1MN,2MN
+1SV50,1SA900,1DS900,2SV100,2SA900,2DS900
+MD5,AL0,AR30,CN9,MC6
+MD6,IN2,BK,NO,WA0.02,RA30,AA1,AR30,IB50,JP0,NO,MJ90
+MD90,CF9,CN10,OT"FAULT TOOL",WN5,WF5,CF10,MJ4
+MD1,MC5,1MR100,1WS0.03,CF9,WF2,1MR-100,1WS0.03,2MR5,2WS0.05
+MD2,MC1,RP6
+MD3,WN1,WN3,CN11,MC2,WA0.5,MC8,CF11,2MA0,2WS0.1,WF1
+MD8,GA1,IG4,MC31,BK,MC32
+MD31,RA20,AA1,AR20,FT"PART %d GOOD"
+MD32,FT"PART REJECTED",CN10,WN5,CF10
+; for the fitter: MC60 tries the tool,
+; MC61 a stroke without it
+MD60,CN9,WA1,CF9
+MD61,1MR100,1WS0.03,1MR-100,1WS0.03
+MD4,MC3,RP
+MC4
+"""
+
+
+def test_the_cycle_is_that_of_a_part_that_takes_long(cell: Cell) -> None:
+    cell.write("a.mccl", STROKES)
+    shown = cell("map", "a.mccl", "--all").out.splitlines()
+    assert shown[shown.index("Cycle") + 1] == "36.461 s, 8 times (lines 8 to 15), cycle(print PART)"
+    assert [" ".join(each.split()) for each in shown if "times more" in each] == [
+        "4.971 8 6 times more: lines 8, 9, 11 29.828"
+    ]
+
+
+def test_a_comment_of_several_lines_says_what_macros_do(cell: Cell) -> None:
+    cell.write("a.mccl", STROKES)
+    shown = cell("map", "a.mccl", "--no-run").out.splitlines()
+    assert [" ".join(each.split()) for each in shown if each.startswith(("macro 60", "macro 61"))] == [
+        "macro 60 19 for the fitter: MC60 tries the tool, MC61 a stroke without it never reached",
+        "macro 61 20 never reached",
+    ]

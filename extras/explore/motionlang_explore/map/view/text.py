@@ -13,6 +13,7 @@ from motionlang.kernel.tools import count_of, ranges
 from motionlang.views.terminal import printable, styled
 from motionlang_explore.map.behaviour import HandlerRow, MachineBehaviour, StateRow, TransitionRow
 from motionlang_explore.map.program_map import ProgramMap
+from motionlang_explore.map.units import UNREACHED
 from motionlang_explore.map.view import tables
 from motionlang_explore.map.view.graph import mermaid
 from motionlang_explore.map.view.timing import drawn
@@ -70,7 +71,13 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
 
 def cycle_line(behaviour: MachineBehaviour) -> str:
     """Return one line about the cycle of a machine."""
-    run, missed = behaviour.run, behaviour.exploration.missed_moves
+    run = behaviour.run
+    unreached = [each for each in behaviour.unreached if each.why == UNREACHED]
+    missed = [
+        line
+        for line in behaviour.exploration.missed_moves
+        if not any(each.first <= line <= each.last for each in unreached)
+    ]
     lines = f"line{'s' if len(missed) > 1 else ''} {ranges(missed)}"
     others = f"; moves of {lines} were not played, so a good piece may take another cycle" if missed else ""
     fault = behaviour.exploration.fault_of(run)
