@@ -31,6 +31,7 @@ RESET = _words(
     it=r"riarmo|ripristino",
     nl=r"kwiteer|herstel",
 )
+_ACKNOWLEDGE = _words(en=r"\back")
 BY_HAND = _words(
     any=RESET.pattern,
     en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|\back|push(?!er)|changed",
@@ -160,7 +161,9 @@ def alarms_in(names: Iterable[Named]) -> frozenset[int]:
 
 def is_pushed(name: str) -> bool:
     """True if a name is that of what a person pushes at work, such as a start button."""
-    return bool(BY_HAND.search(name)) and not any(each.search(name) for each in (RESET, STEADY, ABSENT))
+    return bool(BY_HAND.search(name)) and not any(
+        each.search(name) for each in (RESET, _ACKNOWLEDGE, STEADY, ABSENT)
+    )
 
 
 def is_wrong(said: str) -> bool:

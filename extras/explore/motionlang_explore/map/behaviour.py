@@ -168,12 +168,16 @@ def behaviour_of(
 
 
 class _Seen(NamedTuple):
-    """The state from which something was seen, the state that followed, the changes, and the levels of the inputs."""
+    """The state from which something was seen, the state that followed, the changes, and the levels of the inputs.
+
+    `branched` are the inputs that conditions on the way have read.
+    """
 
     source: RestState | None
     target: RestState | None
     causes: Sequence[Change] = ()
     levels: Mapping[int, float] = {}
+    branched: frozenset[int] = frozenset()
 
     def needs(self, others: Sequence[_Seen]) -> bool:
         """True if it needs more changes than others, each of which was made before all of these."""
@@ -219,7 +223,7 @@ class _Words:
                 (
                     self.way(each),
                     _once(each.does),
-                    _Seen(each.source, each.target, each.causes, each.visit.levels),
+                    _Seen(each.source, each.target, each.causes, each.visit.levels, self.branched(each)),
                 )
                 for each in self.kept(node)
                 if not self.handler(each)
@@ -247,7 +251,7 @@ class _Words:
             theirs += [
                 _Seen(node.state, node.state, levels=node.first.levels) for node in nodes if _fails(node, its)
             ]
-            decides.append(self.deciding(its, theirs))
+            decides.append(self.deciding(its, theirs) or self.passed(its))
         for (row, _), text in zip(rows, decides, strict=True):
             row.until += f", seen with {text}" if text else ""
         state, name = nodes[0].state, self.state_names[nodes[0].state]
@@ -276,6 +280,30 @@ class _Words:
                 found.append(self.names.of(Change("input", channel, levels.pop())))
         sources = ([one.source for one in some] for some in (mine, theirs))
         return " and ".join([*found, *self.state_names.deciding(*sources)][:MAX_DECIDING])
+
+    def branched(self, each: Transition) -> frozenset[int]:
+        """Return the inputs that conditions read where a state ends by itself, and neither of the two states reads."""
+        if each.causes:
+            return frozenset()
+        known = {*self.exploration.reads(each.source or ()), *self.exploration.reads(each.target or ())}
+        statements = (self.structure.statements[at] for at in each.begun if at in self.structure.statements)
+        return frozenset(
+            int(use.number)
+            for statement in statements
+            if statement.condition
+            for use in statement.channels
+            if use.channel in ("input", "digital") and use.number.isdecimal()
+            if f"input {use.number}" not in known
+        )
+
+    def passed(self, its: Sequence[_Seen]) -> str:
+        """Return the levels of the inputs that conditions on the way have read, if they were the same each time."""
+        found = []
+        for number in sorted(frozenset.intersection(*(each.branched for each in its))):
+            levels = {each.levels.get(number, 0.0) for each in its}
+            if len(levels) == 1 and number in self.exploration.channels:
+                found.append(self.names.of(Change("input", number, levels.pop())))
+        return " and ".join(found[:MAX_DECIDING])
 
     def way(self, each: Transition) -> TransitionRow:
         then = [*self.then(each), *self.state_names.changed(each.source, each.target)]

@@ -26,6 +26,8 @@ from motionlang_explore.map.stops import stops_of
 
 # The values with which an output is switched off.
 _OFF = ("0", "_off", "_false")
+# The code of a character is nothing that is said.
+_CODE = re.compile(r"""\b(?:Asc\(|INKEY\s*=\s*)["'][^"']*["']""", re.IGNORECASE)
 _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
 # What holds where there is no alarm, as (fault = 0).
@@ -100,7 +102,8 @@ def _alarms(
         lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
         is_on = any(use.value.lower() not in _OFF for use in written)
         is_question = any(use.channel == "answer" for use in each.channels)
-        texts = [] if is_question else list(filter(None, map(str.strip, _TEXT.findall(each.text))))
+        said = [] if is_question else map(str.strip, _TEXT.findall(_CODE.sub("", each.text)))
+        texts = list(filter(None, said))
         shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
         values = next((known for one in shown if len(known := reasons.values(one, each.at)) > 1), {})
         is_number = bool(values) and any(map(is_alarm, (*shown, *texts)))
@@ -206,7 +209,8 @@ def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionR
             found[line].append(names.of(change))
     for line, changes in sorted(found.items()):
         where = f"behind line {line}" if line else "at the end of its cycle"
-        yield CautionRow("stops", " or ".join(changes), f"stops the machine {where}")
+        what = " or ".join(changes)
+        yield CautionRow("stops", what, f"in the move of line {stops.move} stops the machine {where}")
     if stops.left:
         what = ", ".join(map(names.of, stops.left))
         yield CautionRow("stops", "whether the machine stops", f"by {what} was not played")

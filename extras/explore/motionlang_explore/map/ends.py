@@ -103,6 +103,7 @@ class Ends:
         if self._is_out_of_work and not known:
             return None
         start = self._play(first.visit.changed(first.causes), first.visit.change_time)
+        alarm.shows(start.played, self._names)
         if alarm.goes_on(start.played):
             return ()
         alarm.begins(start.played, first)
@@ -212,6 +213,16 @@ class _Alarm:
         # What has led to the alarm, the other way round.
         self.undone: Step = ()
 
+    def shows(self, played: PlayedTimeline, names: ReaderNames) -> None:
+        """Take the outputs of alarms that are on behind what is only said, as what shows it."""
+        if not self._outputs:
+            switched = {
+                each.channel
+                for each in played.run.machine.log.outputs
+                if each.value and each.time >= played.trial.since and f"output {each.channel}" in names.alarms
+            }
+            self._outputs = {each for each in switched if self._is_on(played.run, inf, each)}
+
     def goes_on(self, played: PlayedTimeline) -> bool:
         """True if what is only said leads to a place to which the machine comes without it as well."""
         return not self._outputs and any(
@@ -244,7 +255,8 @@ class _Alarm:
         else:
             back = list(self._back(trial, rests))
         return any(
-            not any(time <= one < time + AWHILE for one in said) and not self._is_on(run, time)
+            not any(time <= one < time + AWHILE for one in said)
+            and not self._is_on(run, time, *self._outputs)
             for time in back
             if time >= (trial.since if has_come else max((trial.since, *said)))
             and (time + AWHILE <= trial.time or trial.is_stuck or trial.has_ended)
@@ -259,7 +271,7 @@ class _Alarm:
             if next(comes, True):
                 yield move.begin
 
-    def _is_on(self, run: Run, time: float) -> bool:
-        """True if an output of the alarm is on at a time."""
+    def _is_on(self, run: Run, time: float, *outputs: int) -> bool:
+        """True if one of some outputs is on at a time."""
         levels = {each.channel: each.value for each in run.machine.log.outputs if each.time <= time}
-        return any(levels.get(each) for each in self._outputs)
+        return any(levels.get(each) for each in outputs)

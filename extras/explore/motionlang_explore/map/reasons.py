@@ -105,6 +105,10 @@ class Reasons:
                     self._waited[statement.line].append(waited[1])
         forms = "\n".join(each.form for each in structure.statements.values())
         self._clocks = set(re.findall(r"~(\w+) TypeName ~time", forms))
+        # The points that call each unit, by its entry.
+        self._calls: dict[int, list[int]] = defaultdict(list)
+        for p in sorted(self._guards):
+            self._calls[structure.points[p].calls].append(p)
         self._known: dict[int, list[Reason]] = {}
         self._depth = 0
 
@@ -209,13 +213,24 @@ class Reasons:
         found: dict[str, list[Reason]] = defaultdict(list)
         passed = {name.lower(), *(value[1:] for _, value in self._sites.get(name.lower(), []))}
         for p, number in self._assignments(name.lower()):
-            if number.isdecimal() and number != "0":
+            if number.isdecimal() and number != "0" and self._allows(self._first[at], name.lower(), number):
                 known, own = self._of(p), f"{self._names[f'input {number}']} "
                 # Of what is found of several channels that of the one with the number counts.
                 made = (*known, *self.of(at)) if passed & self._numbers else ()
                 mine = [each for each in dict.fromkeys(made) if each.words.startswith(own)]
                 found[number] += mine or known
         return dict(sorted(found.items()))
+
+    def _allows(self, p: int, name: str, number: str) -> bool:
+        """True if no branch around a point compares a variable with another number than some."""
+        for q, side in self._guards[p] if len(self._guards[p]) == 1 else ():
+            statement = self._statement(q)
+            left, sign, right = _binary(_condition(statement)) if statement is not None else ("", "", "")
+            if _is_number(left):
+                left, sign, right = right, _COMPARISONS[sign][2], left
+            if left == f"~{name}" and _is_number(right) and _holds(number, sign, right) != side:
+                return False
+        return True
 
     # --------------------------------------------------------------------------------------------------- reasons
 
@@ -348,10 +363,13 @@ class Reasons:
         if not subject.startswith("register"):
             return [Reason(raw, statement.line, DIRECT)]
         line = statement.line
-        counts = [p for p, value in stored if value == f"{subject} + 1"]
-        waits = self._waited[line] if any(self._repeats(q, p) for p in counts) and sign[0] == ">" else []
+        up, down = f"{subject} + 1", f"{subject} - 1"
+        counts = [(p, value) for p, value in stored if value in (up, down) and self._repeats(q, p)]
+        waits = self._waited[line] if counts and sign[0] == (">" if counts[0][1] == up else "<") else []
         if len(waits) == 1 and _is_number(right):
-            return [Reason(f"{float(right) * float(waits[0]):g} s in line {line}", 0, COUNTED)]
+            numbers = [(p, value) for p, value in stored if _is_number(value)]
+            begin = self._begin(*counts[0], numbers) if counts[0][1] == down else 0.0
+            return [Reason(f"{abs(float(right) - begin) * float(waits[0]):g} s in line {line}", 0, COUNTED)]
         return list(self._assigned(subject, sign, right, q, statement)) or [
             Reason(raw, statement.line, COUNTED)
         ]
@@ -521,12 +539,24 @@ class Reasons:
     ) -> Iterator[Reason]:
         """Yield how often a variable is counted until it compares so, and why each time."""
         p, value = count
-        begin = float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
+        begin = self._begin(p, value, numbers)
         times = f"{abs(float(right) - begin) + (sign in '<>'):g}" if _is_number(right) else right.strip("~")
         by = self._of(p)
         why = by[0].text if len(by) == 1 else f"line {self._line(p)}"
         if times != "0":
             yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
+
+    def _begin(self, p: int, value: str, numbers: Sequence[tuple[int, str]]) -> float:
+        """Return the number from which a variable is counted: that in the line of the only calls, or of the text."""
+        entry = max((unit.entry for unit in self._structure.units if unit.entry <= p), default=-1)
+        before = [
+            [number for q, number in numbers if q < call and self._line(q) == self._line(call)]
+            for call in self._calls[entry]
+        ]
+        given = {some[-1] for some in before if some}
+        if len(given) == 1 and all(before):
+            return float(min(given))
+        return float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
 
     def _assignments(self, name: str) -> list[tuple[int, str]]:
         """Return where which value is assigned to a name; for a parameter, where it is given.

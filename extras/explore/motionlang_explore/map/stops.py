@@ -12,6 +12,7 @@ from functools import reduce
 from math import inf
 from typing import NamedTuple
 
+from motionlang.kernel import Run
 from motionlang_explore.exploration import SECOND, Change, Exploration, entries, is_pushed
 from motionlang_explore.map.names import ReaderNames
 
@@ -24,11 +25,13 @@ SHORT = 1e-6
 class Stops(NamedTuple):
     """The changes that bring a machine to rest, and those that were not played to the end.
 
-    A line is that of the last move, 0 at the end of the cycle.
+    They are made in the middle of a move. A line is that of the last thing that was done as usual, a move, an output or
+    a print, 0 at the end of the cycle.
     """
 
     lines: Sequence[tuple[Change, int]] = ()
     left: Sequence[Change] = ()
+    move: int = 0
 
 
 def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
@@ -38,20 +41,22 @@ def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
     if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
         return Stops()
     begin, end = found.times[1:3]
+    log = world.run.machine.log
     moves = [
         (each.start_time, each.profile.duration, each.line)
-        for each in world.run.machine.log.moves
+        for each in log.moves
         if each.profile is not None and begin <= each.start_time < end
     ]
     if not moves:
         return Stops()
-    first, seconds, _ = moves[0]
+    first, seconds, move = moves[0]
     time, lines = first + min(seconds, end - begin) / 2.0, [line for *_, line in moves]
     until, usual = time + 2.0 * found.period + WATCHED, [*lines[1:], *lines]
+    done = [line for at, line in _acts(exploration, world.run) if time < at < end]
 
     def line_behind(settings: Mapping[str, object]) -> int | None:
         """Return the line behind which the machine stops, 0 at the end of its cycle, -1 if it goes on."""
-        trial, _, rests = exploration.play_in(settings, until)
+        trial, run, rests = exploration.play_in(settings, until)
         if not (trial.is_stuck or trial.has_ended or trial.time >= until - SHORT):
             return None
         begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
@@ -59,7 +64,11 @@ def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
         is_usual = len(begun) < len(usual) and begun == usual[: len(begun)]
         if not (is_usual and (stays or trial.is_stuck or trial.has_ended)):
             return -1
-        return 0 if len(begun) == len(lines) - 1 else [lines[0], *begun][-1]
+        after = [line for at, line in _acts(exploration, run) if at > time]
+        same = next(
+            (k for k, pair in enumerate(zip(done, after, strict=False)) if len({*pair}) > 1), len(after)
+        )
+        return 0 if same >= len(done) else [move, *done[:same]][-1]
 
     settings = world.settings
     pushed = [
@@ -75,7 +84,16 @@ def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
             left.append(change)
         elif line >= 0:
             stops.append((change, line))
-    return Stops(stops, left)
+    return Stops(stops, left, move)
+
+
+def _acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
+    """Return the times and lines of the moves, outputs and prints of a run, in order."""
+    log = run.machine.log
+    found = [(each.start_time, each.line) for each in log.moves]
+    found += [(each.time, exploration.line(each.at)) for each in log.outputs if each.at >= 0]
+    found += [(each.time, exploration.line(each.at)) for each in log.prints if each.at >= 0]
+    return sorted(found)
 
 
 def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterator[Change]:

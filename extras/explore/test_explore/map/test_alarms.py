@@ -376,6 +376,59 @@ Function Seen(ByVal sensor As Integer, ByVal ms As Integer) As Integer
   Until Seen = 1 Or TIME > ms
 End Function
 """
+# The lamp of two texts is switched by a step that a switch leaves, too; a result of 1 is good, and a code is a key.
+SHOWN = """\
+' IN 0 start  1 wire ok  2 weight ok  3 reset  4 auto
+' OUT 2 red lamp
+Dim s As Integer
+Dim result As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  If INX(4) = 0 And s < 99 Then s = 0
+  Select Case s
+  Case 0
+    If INX(0) And INX(4) Then s = 10
+  Case 10
+    MOVEA(0) = 50 : GO(0) : Pause IDLE(0)
+    If INX(1) = 0 Then
+      Print "WIRE BROKEN"
+      s = 90
+    Else
+      result = 1
+      If INX(2) = 0 Then result = 4
+      If result = 1 Then
+        Print "PART OK"
+      Else
+        Print "scrap, code "; result
+      End If
+      MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+      s = 20
+    End If
+  Case 20
+    If INX(0) = 0 Then s = 0
+  Case 90
+    OUTX(2) = 1
+    If INX(3) Or INKEY = Asc("R") Then
+      OUTX(2) = 0
+      s = 20
+    End If
+  End Select
+  WAIT = 10
+End Loop
+"""
+# A register that a macro counts down from what its caller has loaded.
+DOWN = """\
+; i/p 1 jar at stop  2 knife down  3 reset
+; o/p 9 knife  12 red lamp
+CT9,CT12
+1MN
+MD5,AL25,AR30,CF12
+MD30,CN9,AL100,AR30,MC35,CF9
+MD35,IN2,JR10,NO,WA0.02,RA30,AS1,AR30,IG0,JR-8,NO,MC90,NO
+MD90,CN12,OT"KNIFE FAULT",WN3,MC5
+MD60,WN1,1MR10,1WS0.05,MC30,OT"JAR OK",WF1,RP
+MC60
+"""
 
 
 @pytest.mark.parametrize(
@@ -495,6 +548,25 @@ End Function
             id="function",
         ),
         pytest.param(
+            "a.mnt",
+            SHOWN,
+            [
+                "'WIRE BROKEN' and output 2 (red lamp) come by input 1 (wire ok) off, line 13; ends by input 3 "
+                "(reset) on",
+                "'scrap, code' comes by input 2 (weight ok) off, line 18",
+            ],
+            id="shown",
+        ),
+        pytest.param(
+            "a.mccl",
+            DOWN,
+            [
+                "output 12 (red lamp) and 'KNIFE FAULT' come by input 2 (knife down) off, line 7 and 2 s in line 7; "
+                "ends by input 3 (reset) on",
+            ],
+            id="down",
+        ),
+        pytest.param(
             "a.prg",
             FLAGS,
             [
@@ -555,8 +627,8 @@ def test_what_stops_the_machine_between_its_moves_is_played(cell: Cell) -> None:
     shown = cell("map", "a.prg", "--all").out.splitlines()
     assert [line.strip() for line in shown if "stops the machine" in line or "cuts off" in line] == [
         "nothing that was played cuts off a move to a target",
-        "input 3 (stop released) off or key 9 stops the machine at the end of its cycle",
-        "input 2 (door shut) off stops the machine behind line 8",
+        "input 3 (stop released) off or key 9 in the move of line 8 stops the machine at the end of its cycle",
+        "input 2 (door shut) off in the move of line 8 stops the machine behind line 8",
     ]
 
 
@@ -565,6 +637,6 @@ def test_what_was_not_played_of_the_stops_is_named(cell: Cell, monkeypatch: pyte
     monkeypatch.setattr(stops, "WORK", 0)
     shown = cell("map", "a.prg", "--all").out.splitlines()
     assert [line.strip() for line in shown if "machine stops" in line or "stops the machine" in line] == [
-        "input 2 (door shut) off stops the machine behind line 8",
+        "input 2 (door shut) off in the move of line 8 stops the machine behind line 8",
         "whether the machine stops by input 3 (stop released) off, key 9 was not played",
     ]
