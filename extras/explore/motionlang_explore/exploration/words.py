@@ -76,16 +76,16 @@ SHOWN = _words(
     nl=r"\brood\b|\bgroen\b|zoemer|toeter",
 )
 ALARM = _words(
-    en=r"alarm|\bcall\b|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b",
+    en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b",
     de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b",
     fr=r"d[ée]faut|rebut|rouge|mauvais",
     es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz|\bmal[oa]s\b",
     it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
     nl=r"storing|\bfout|\brood\b|\brode\b|afkeur|uitval",
 )
-# What sounds when something is wrong, or before the machine moves.
+# What calls a person when something is wrong or wanted, or sounds before the machine moves.
 SOUND = _words(
-    en=r"horn$|siren|buzzer",
+    en=r"horn$|siren|buzzer|\bcall\b",
     de=r"hupe|sirene",
     fr=r"klaxon|sir[èe]ne",
     es=r"sirena",

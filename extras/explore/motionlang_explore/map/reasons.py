@@ -492,8 +492,14 @@ class Reasons:
         known, given = self._known, self._given
         bound = zip(self._parameters_of.get(name, ()), values.split(", "), strict=False)
         self._known, self._given = {}, {**given, **{parameter: [value] for parameter, value in bound}}
-        numbers = [(p, value) for p, value in self._assignments(name) if _is_number(value)]
+        sites = self._assignments(name)
+        numbers = [(p, value) for p, value in sites if _is_number(value)]
         made = list(self._set(numbers, sign, right, q, statement)) if _is_number(right) else []
+        if len(sites) == 1 and not numbers and right == "0" and sign in ("=", "<>"):
+            # A function that returns a comparison.
+            (p, form), own = sites[0], self._structure.statements
+            at = own[self._structure.points[p].at]
+            made = [each._replace(line=statement.line) for each in self._tree(form, sign == "<>", p, at)]
         times = {
             each.words
             for p in self._within_unit(name)
@@ -502,8 +508,12 @@ class Reasons:
             if _TIME.match(each.words)
         }
         self._known, self._given = known, given
-        if len(times) == 1 and len(made) == 1 and made[0].words.startswith("without "):
-            return [made[0]._replace(words=f"{min(times)} {made[0].words}")]
+        if len(times) == 1 and len(made) == 1:
+            words, time = made[0].words, min(times)
+            if words.startswith("without "):
+                return [made[0]._replace(words=f"{time} {words}")]
+            if sign == "=":
+                return [made[0]._replace(words=f"{words} {time}")]
         return made
 
     def _within_unit(self, name: str) -> Iterator[int]:

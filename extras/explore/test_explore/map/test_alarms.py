@@ -366,6 +366,7 @@ Sub Stroke()
     PAUSE INX(4)
   End If
   OUTX(1) = 0
+  If Not Comes(1, 0, 600) Then Print "CLAMP STUCK"
 End Sub
 Function Seen(ByVal sensor As Integer, ByVal ms As Integer) As Integer
   TIME = 0
@@ -374,6 +375,14 @@ Function Seen(ByVal sensor As Integer, ByVal ms As Integer) As Integer
     If INX(sensor) Then Seen = 1
     WAIT = 5
   Until Seen = 1 Or TIME > ms
+End Function
+Function Comes(ByVal sensor As Integer, ByVal level As Integer, ByVal ms As Integer) As Integer
+  Dim t0 As Integer
+  t0 = TIME
+  While INX(sensor) <> level And TIME - t0 < ms
+    WAIT = 5
+  End While
+  Comes = (INX(sensor) = level)
 End Function
 """
 # The lamp of two texts is switched by a step that a switch leaves, too; a result of 1 is good, and a code is a key.
@@ -541,9 +550,11 @@ MC60
             "a.mnt",
             SEEN,
             [
-                "'NO CLAMP' comes 0.5 s after line 28 without input 1 (clamp shut) on, line 16",
-                "'RAM STUCK' comes 0.8 s after line 28 without input 2 (ram down) on, line 18",
-                "'RAM LOW' comes 1.2 s after line 28 without input 3 (ram up) on, line 21; ends by input 4 (reset) on",
+                "'NO CLAMP' comes 0.5 s after line 29 without input 1 (clamp shut) on, line 16",
+                "'RAM STUCK' comes 0.8 s after line 29 without input 2 (ram down) on, line 18",
+                "'RAM LOW' comes 1.2 s after line 29 without input 3 (ram up) on, line 21; ends by input 4 (reset) on",
+                "'CLAMP STUCK' comes by input 1 (clamp shut) on 0.6 s after line 38, line 26; ends by "
+                "input 1 (clamp shut) off",
             ],
             id="function",
         ),
