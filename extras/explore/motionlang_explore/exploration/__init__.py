@@ -89,7 +89,7 @@ from motionlang_explore.exploration.trials import (
     asks,
 )
 from motionlang_explore.exploration.values import is_probe
-from motionlang_explore.exploration.words import is_pushed, is_wrong, names_alarm
+from motionlang_explore.exploration.words import is_pushed, is_reset, is_wrong, names_alarm
 from motionlang_explore.exploration.world import FoundWorld
 from motionlang_explore.identification import Entry
 
@@ -131,6 +131,7 @@ __all__ = [
     "in_words",
     "is_probe",
     "is_pushed",
+    "is_reset",
     "is_wrong",
     "keys_of",
     "lines_of",

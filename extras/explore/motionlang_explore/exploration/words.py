@@ -161,9 +161,13 @@ def alarms_in(names: Iterable[Named]) -> frozenset[int]:
 
 def is_pushed(name: str) -> bool:
     """True if a name is that of what a person pushes at work, such as a start button."""
-    return bool(BY_HAND.search(name)) and not any(
-        each.search(name) for each in (RESET, _ACKNOWLEDGE, STEADY, ABSENT)
-    )
+    is_other = is_reset(name) or bool(STEADY.search(name) or ABSENT.search(name))
+    return bool(BY_HAND.search(name)) and not is_other
+
+
+def is_reset(name: str) -> bool:
+    """True if a name is that of what a person pushes behind a fault."""
+    return bool(RESET.search(name) or _ACKNOWLEDGE.search(name))
 
 
 def is_wrong(said: str) -> bool:

@@ -9,7 +9,7 @@ these changes those are left out without which that happens as well.
 from __future__ import annotations
 
 from collections import defaultdict, deque
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -28,6 +28,9 @@ from motionlang_explore.exploration import (
     Trial,
     Visit,
     channel_levels,
+    entries,
+    is_reset,
+    number_in,
     without_memory,
 )
 from motionlang_explore.map.names import ReaderNames
@@ -84,17 +87,22 @@ class Ends:
         Of changes that can stand for each other those are left that the reason `why` it comes names. None if nothing
         that was played has ended it. What ends one alarm is tried last with the next one.
         """
-        alarm = _Alarm(self._exploration, signs, self._good)
+        alarm = _Alarm(self._exploration, signs, self._good, self._names)
         ways = (
             each
             for node in self._exploration.nodes
             for each in node.transitions
             if alarm.at & each.begun.union(*(place.statements for place in each.target or ()))
         )
-        # A way that goes on into a good state has its end behind it.
+        # A way that goes on into a good state has its end behind it; one from far has more to change.
         first = min(
             ways,
-            key=lambda each: (each.target in self._good, len(each.causes), len(each.visit.timeline)),
+            key=lambda each: (
+                each.target in self._good,
+                alarm.distance(each),
+                len(each.causes),
+                len(each.visit.timeline),
+            ),
             default=None,
         )
         if first is None or first.target is None:
@@ -102,7 +110,7 @@ class Ends:
         known = tuple(self._known)
         if self._is_out_of_work and not known:
             return None
-        start = self._play(first.visit.changed(first.causes), first.visit.change_time)
+        start = self._begun(first, alarm)
         alarm.shows(start.played, self._names)
         if alarm.goes_on(start.played):
             return ()
@@ -116,6 +124,24 @@ class Ends:
                 self._known[steps] = None
                 return steps
         return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
+
+    def _begun(self, led: Transition, alarm: _Alarm) -> _Reached:
+        """Return what an alarm begins with: nobody holds a reset, unless it does not come or stay so."""
+        visit, own = led.visit, {each.number for each in led.causes if each.table == "input"}
+        released = self._resets(n for n, level in visit.levels.items() if level and n not in own)
+        start = self._play(visit.changed((*led.causes, *released)), visit.change_time)
+        if released and not alarm.has_come(start.played):
+            start = self._play(visit.changed(led.causes), visit.change_time)
+        now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
+        held = self._resets(n for (table, n), level in now.items() if table == "input" and level)
+        later = self._changed(start, held)
+        return start if alarm.is_over(later.played) else later
+
+    def _resets(self, numbers: Iterable[int]) -> Step:
+        """Return the changes that release those of some inputs that reset."""
+        return tuple(
+            Change("input", each, 0.0) for each in sorted(numbers) if is_reset(self._names[f"input {each}"])
+        )
 
     def _found(self, start: _Reached, begin: Steps, alarm: _Alarm) -> Steps | None:
         """Return the fewest steps behind some that end an alarm; None if none of those that were tried do."""
@@ -198,7 +224,11 @@ class _Alarm:
     """The statements and the outputs of an alarm, and the good states with the levels at the begin of the cycle."""
 
     def __init__(
-        self, exploration: Exploration, signs: Collection[Statement], good: Collection[RestState | None]
+        self,
+        exploration: Exploration,
+        signs: Collection[Statement],
+        good: Collection[RestState | None],
+        names: ReaderNames,
     ) -> None:
         written = {each.at: [use for use in each.channels if use.access == WRITE] for each in signs}
         # What writes a number for a host writes what is right, too.
@@ -210,8 +240,23 @@ class _Alarm:
         self._cycle, self._good = exploration.world.cycle, good
         self._places = set(map(without_memory, good))
         self.levels = channel_levels(self._cycle.visit.timeline, inf)
+        given = entries(exploration.world.settings, "input")
+        on = {number_in("input", each) for each in given if each.keys() == {"channel", "at"}}
+        # Nobody holds a reset.
+        self.levels |= {("input", n): 1.0 for n in on if not is_reset(names[f"input {n}"])}
         # What has led to the alarm, the other way round.
         self.undone: Step = ()
+
+    def has_come(self, played: PlayedTimeline) -> bool:
+        """True if one of its statements has begun."""
+        return any(one.at in self.at for some in played.trial.statements.values() for one in some)
+
+    def distance(self, led: Transition) -> int:
+        """Return how many inputs have another level behind a transition than at the begin of the cycle."""
+        now = {("input", number): level for number, level in led.visit.levels.items()}
+        now |= {each.channel: float(each.value) for each in led.causes if each.table == "input"}
+        channels = {each for each in (*now, *self.levels) if each[0] == "input"}
+        return sum(now.get(each, 0.0) != self.levels.get(each, 0.0) for each in channels)
 
     def shows(self, played: PlayedTimeline, names: ReaderNames) -> None:
         """Take the outputs of alarms that are on behind what is only said, as what shows it."""

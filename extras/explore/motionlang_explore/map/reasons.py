@@ -472,8 +472,9 @@ class Reasons:
         read = (
             self._uses(value, self._structure.statements[self._structure.points[p].at]) for p, value in sites
         )
-        for use in next(filter(None, read), []):
-            yield Reason(self._channel(use, sign, right), statement.line, DIRECT)
+        uses = next(filter(None, read), [])
+        if uses:
+            yield from (Reason(self._channel(use, sign, right), statement.line, DIRECT) for use in uses)
             return
         for called in filter(None, (CALL.fullmatch(value) for _, value in sites)):
             yield from self._result(called, sign, right, q, statement)

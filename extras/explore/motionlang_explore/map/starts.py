@@ -2,7 +2,8 @@
 
 What the cycle does not come without, or not without trouble, is needed. A person or a host starts it by what is needed
 and given on purpose: a key, an answer, a number of a host, an input with the name of what is pushed. If there are but
-answers among it, the inputs that come when they are asked for start it as well.
+answers among it, the inputs that come when they are asked for start it as well; if there is nothing, those that follow
+an output, such as a part that comes again.
 """
 
 from __future__ import annotations
@@ -55,7 +56,7 @@ def starts_of(exploration: Exploration, names: ReaderNames) -> Starts | None:
 
     settings, is_good = exploration.world.settings, not exploration.fault_of(run)
     starting, asked, held = list[Change](), list[Change](), list[Change]()
-    following, others = list[Change](), list[Change]()
+    behind, following, others = list[Change](), list[Change](), list[Change]()
     for change, own in _channels(settings):
         table = change.table
         is_needed = False
@@ -69,14 +70,16 @@ def starts_of(exploration: Exploration, names: ReaderNames) -> Starts | None:
         if is_needed and (table in GIVEN or (table == "input" and is_pushed(names[change.subject]))):
             starting.append(change)
         elif any(each.keys() & FOLLOWS for each in own):
-            following.append(change)
+            (behind if is_needed and table == "input" else following).append(change)
         elif is_needed:
             (asked if table == "input" and not is_left else held).append(change)
         elif table == "input" and is_left and change.value:
             others.append(change)
     if all(each.table == "answer" for each in starting):
         starting, asked = starting + asked, []
-    return Starts(starting, asked + held, following, others)
+    if not starting:
+        starting, behind = behind, []
+    return Starts(starting, asked + held, behind + following, others)
 
 
 def _channels(settings: Mapping[str, object]) -> list[tuple[Change, list[Entry]]]:

@@ -438,6 +438,50 @@ MD90,CN12,OT"KNIFE FAULT",WN3,MC5
 MD60,WN1,1MR10,1WS0.05,MC30,OT"JAR OK",WF1,RP
 MC60
 """
+# The reset is pushed at power-up, too, and nobody holds it behind an alarm; a part comes behind an output.
+HELD = """\
+; i/p 1 jar at stop  2 strip present  3 fault reset  4 knife down
+; o/p 9 knife  10 jar stop open  12 red lamp
+CT9,CT10,CT12
+1MN
+MD30,CN9,AL50,AR30,MC35,CF9
+MD35,IN4,JR10,NO,WA0.02,RA30,AS1,AR30,IG0,JR-8,NO,MC90,NO
+MD60,OT"STRIP EMPTY",CN12,WN2,WN3,CF12
+MD90,CF9,CN12,OT"KNIFE FAULT",WN3,CF12
+MD10,IF2,MC60,NO,WN1,1MR10,1WS0.05,MC30,OT"JAR OK",CN10,WF1,CF10,RP
+MD5,WN3,CN10,WA0.2,CF10
+MC5
+MC10
+"""
+# A sub that takes the sensor from what is wanted.
+WANTED = """\
+REM IN 1 start  3 valve at nozzle  4 valve at hopper  5 reset
+REM OUT 0 valve  3 red lamp
+SPEED.1 = 100 : ACCEL.1 = 1000 : DECEL.1 = 1000
+LOOP
+  PAUSE INX.1
+  way = 0 : GOSUB turn
+  MOVEA.1 = 40 : GO.1 : PAUSE IDLE.1
+  way = 1 : GOSUB turn
+  MOVEA.1 = 0 : GO.1 : PAUSE IDLE.1
+  ? "POUR OK"
+  PAUSE INX.1 = 0
+ENDL
+#turn
+  OUTX.0 = way
+  t0 = TIME
+  eye = 3 : IF way = 0 THEN eye = 4
+  REPEAT
+    there = INX[eye]
+  UNTIL there = 1 OR TIME - t0 > 1500
+  IF there = 0 DO
+    ? "VALVE FAULT ", eye
+    OUTX.3 = 1
+    PAUSE INX.5
+    OUTX.3 = 0
+  ENDIF
+RETURN
+"""
 
 
 @pytest.mark.parametrize(
@@ -576,6 +620,26 @@ MC60
                 "ends by input 3 (reset) on",
             ],
             id="down",
+        ),
+        pytest.param(
+            "a.mccl",
+            HELD,
+            [
+                "'STRIP EMPTY' and output 12 (red lamp) come by input 2 (strip present) off, line 9; ends by input 3 "
+                "(fault reset) on and input 2 (strip present) on",
+                "output 12 (red lamp) and 'KNIFE FAULT' come by input 4 (knife down) off, line 6 and 1 s in line 6; "
+                "ends by input 3 (fault reset) on",
+            ],
+            id="held",
+        ),
+        pytest.param(
+            "a.prg",
+            WANTED,
+            [
+                "'VALVE FAULT ...' and output 3 (red lamp) come with 3: by input 3 (valve at nozzle) off, line 20; "
+                "4: by input 4 (valve at hopper) off, line 20; as it was played, it ends by input 5 (reset) on",
+            ],
+            id="wanted",
         ),
         pytest.param(
             "a.prg",

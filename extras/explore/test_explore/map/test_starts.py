@@ -55,6 +55,15 @@ Sub Bend(ByVal all As Integer)
   OUTX(1) = 0
 End Sub
 """
+# Nobody starts it: the part comes when the stop opens.
+BELT = """\
+; i/p 1 jar at stop  2 strip present
+; o/p 10 jar stop open
+CT10
+1MN
+MD10,WN1,WN2,1MR10,1WS0.05,OT"JAR OK",CN10,WF1,CF10,RP
+MC10
+"""
 
 
 @pytest.mark.parametrize(
@@ -66,6 +75,12 @@ End Sub
             "input 4 (start key) on starts the cycle with input 1 (tray at stop), input 2 (syrup in hopper) on; "
             "played with input 3 (nozzle open) behind an output or an axis",
             id="filler",
+        ),
+        pytest.param(
+            "a.mccl",
+            BELT,
+            "input 1 (jar at stop) on starts the cycle with input 2 (strip present) on",
+            id="belt",
         ),
         pytest.param(
             "a.mnt",
