@@ -340,7 +340,9 @@ class _Words:
     def until(self, each: Transition) -> str:
         """Return what leads on, with the other values that do the same."""
         given = [one for causes in each.variants for one in causes]
-        return " and ".join(self.values(one, given) for one in each.causes) or "by itself"
+        # Another value may move an axis somewhere else.
+        same = "with {}, the same lines" if each.does.moves else "or {}"
+        return " and ".join(self.values(one, given, same) for one in each.causes) or "by itself"
 
     def run(self, each: Transition) -> frozenset[int]:
         """Return the lines that a transition runs; a line with commands does not run where its macro is defined."""
@@ -355,15 +357,15 @@ class _Words:
     def then(self, each: Transition) -> list[str]:
         return [self.names.of(act) for act in each.acts]
 
-    def values(self, change: Change, others: Iterable[Change]) -> str:
-        """Return a change, with the other values of the same channel among some."""
+    def values(self, change: Change, others: Iterable[Change], form: str = "or {}") -> str:
+        """Return a change, with the other values of the same channel among some, in words."""
         same = (change.table, change.number, change.prompt)
         values = dict.fromkeys(
             ("on" if one.value else "off") if one.table == "input" else str(one.value)
             for one in others
             if (one.table, one.number, one.prompt) == same and one.value != change.value and not is_probe(one)
         )
-        return self.names.of(change) + (f" (or {', '.join(values)})" if values else "")
+        return self.names.of(change) + (f" ({form.format(', '.join(values))})" if values else "")
 
     def handler(self, each: Transition) -> str:
         """Return the handler that a change of a transition starts, "" for none; the state does not wait for it."""

@@ -138,7 +138,7 @@ def _alarms(
     for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
         played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
         steps = () if played or is_only_said else ends.of(signs, "; ".join(whys))
-        is_one = len({*whys}) == 1 and " or " not in whys[0]
+        is_one = len({*whys}) == 1 and " or " not in whys[0] and not whys[0].startswith("with ")
         back = f"{'' if is_one else 'as it was played, it '}ends by {_joined(steps, names)}" if steps else ""
         back = "what ends it was not played" if steps is None else back
         why = max(whys, key=lambda text: text.startswith("with "))

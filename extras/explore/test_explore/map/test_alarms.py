@@ -585,8 +585,8 @@ RETURN
             [
                 "'DOOR OPEN' comes by input 3 (door shut) off, line 6",
                 "output 3 (red lamp) and 'VALVE FAULT ...' come with 1: by input 1 (jaw shut) off 0.8 s "
-                "after line 29, line 33; 2: by input 2 (ram down) off 0.8 s after line 29, line 33; ends by "
-                "input 1 (jaw shut) on and input 2 (ram down) on, then input 4 (reset) on",
+                "after line 29, line 33; 2: by input 2 (ram down) off 0.8 s after line 29, line 33; as it was "
+                "played, it ends by input 2 (ram down) on, then input 4 (reset) on",
             ],
             id="valves",
         ),
