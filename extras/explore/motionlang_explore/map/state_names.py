@@ -100,6 +100,8 @@ class StateNames:
         found = []
         for number in mine[0]:
             values = dict.fromkeys(each.get(number) for each in mine)
+            if None in values:
+                continue  # not all of these states remember it
             if not values.keys() & {each.get(number) for each in theirs}:
                 found.append(self._told(number, *values))
         return found

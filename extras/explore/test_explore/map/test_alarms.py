@@ -493,8 +493,8 @@ RETURN
             [
                 "'FILTER NOT CLEAN' comes after 4001 times input 3 (label on pad) on, line 16 (not played)",
                 "output 2 (alarm horn) comes by input 7 (air on) off, line 5 or 3 times input 3 (label "
-                "on pad) off, line 16 and 2 s after line 13; as it was played, it ends by input 7 (air on) on, "
-                "then input 6 (reset left) on, then input 5 (reset right) on",
+                "on pad) off, line 16 and 2 s after line 13; as it was played, it ends by input 6 (reset left) on, "
+                "then input 5 (reset right) on",
                 "'NO LABEL' comes after 3 times input 3 (label on pad) off, line 16 and 2 s after line "
                 "13; ends by input 6 (reset left) on, then input 5 (reset right) on",
                 "'AIR' comes by input 7 (air on) off, line 5; ends by input 7 (air on) on, then "
