@@ -21,13 +21,12 @@ from motionlang.kernel.lang import (
 )
 from motionlang.kernel.tools import ranges
 
-# The keys of the machine file that assign an input to an axis.
-# In the form of a statement: a call, in the head of a sub a parameter, an assignment, and what else gives a value.
+# In the form of a statement: a call, in the head of a sub a parameter, an assignment to a variable, a result or TIME,
+# and what else gives a value.
 CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
-_ASSIGNS, _GIVES = (
-    re.compile(r"~(\w+) = (.+)", re.DOTALL),
-    re.compile(r"(?:For \(|Input .*?)~(\w+)", re.DOTALL),
-)
+ASSIGNS = re.compile(r"(?:!?~|(?=TIME ))(\w+) = (.+)", re.DOTALL)
+_GIVES = re.compile(r"(?:For \(|Input .*?)~(\w+)", re.DOTALL)
+# The keys of the machine file that assign an input to an axis.
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
 # The channels that a loop may poll, by the kind of reading.
 DEVICES = {"input": "input", "analogue": "analogue input", "encoder": "encoder", "operator": "key"}
@@ -164,7 +163,7 @@ def given_numbers(structure: Structure) -> dict[str, list[str]]:
     names = parameters_of(structure)
     found: dict[str, dict[str, None]] = {}
     for each in structure.statements.values():
-        assigned = _ASSIGNS.fullmatch(each.form)
+        assigned = ASSIGNS.fullmatch(each.form)
         given = [(name, "") for name in _GIVES.findall(each.form)]
         given += [(assigned[1], assigned[2])] if assigned is not None else []
         for name, values in CALL.findall(each.form):

@@ -536,10 +536,13 @@ def _folded(rows: Sequence[CycleRow]) -> list[CycleRow]:
     found, k = list[CycleRow](), 0
     while k < len(rows):
         for length in range(1, MAX_REPEATED + 1):
-            times = 1
-            while same[k : k + length] == same[k + times * length : k + (times + 1) * length]:
+            part, times = same[k : k + length], 1
+            # Inputs that come and go are no work that is repeated.
+            while part == same[k + times * length : k + (times + 1) * length] and any(
+                line for line, _ in part
+            ):
                 times += 1
-            if times > 2 and any(line for line, _ in same[k : k + length]):
+            if times > 2:
                 break
         else:
             found.append(rows[k])
@@ -547,7 +550,7 @@ def _folded(rows: Sequence[CycleRow]) -> list[CycleRow]:
             continue
         after = k + times * length
         found += rows[k : k + length]
-        lines = {line for line, _ in same[k : k + length] if line}
+        lines = {line for line, _ in part if line}
         begin, last = rows[k + length].time, rows[after - 1]
         end = rows[after].time if after < len(rows) else last.time + (last.seconds or 0.0)
         what = f"{times - 1} times more: line{'s' * (len(lines) > 1)} {ranges(lines)}"

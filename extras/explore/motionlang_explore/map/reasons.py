@@ -11,12 +11,13 @@ from __future__ import annotations
 
 import operator
 import re
+from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from functools import reduce
 from typing import NamedTuple
 
-from motionlang.commands.channels import CALL, given_numbers, parameters_of, with_number
+from motionlang.commands.channels import ASSIGNS, CALL, given_numbers, parameters_of, with_number
 from motionlang.kernel.lang import READ, ChannelUse, Statement, Structure
 from motionlang.kernel.tools import ranges
 from motionlang_explore.map.names import ReaderNames
@@ -28,7 +29,7 @@ _COMPARISONS = {
     "<=": ("at most", ">", ">=", operator.le), ">=": ("at least", "<", "<=", operator.ge),
 }  # fmt: skip
 # In the form of a statement: an assignment to a name, a number, a reading of a channel, and a time.
-_ASSIGNS, _NUMBER = re.compile(r"(?:!?~|(?=TIME ))(\w+) = (.+)", re.DOTALL), re.compile(r"-?[\d.]+")
+_NUMBER = re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*|~\w+)\))?")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
 _CASE = re.compile(r"CaseTest None (\S+) ([^\s,()]+)")
@@ -39,6 +40,8 @@ _TIME = re.compile(r"[\d.]+ s after ")
 _TOKEN = re.compile(r"[()]|[^\s()]+")
 # So many guards of a point, reasons of one thing, reasons behind one another, and assignments of a name are followed.
 MAX_GUARDS, MAX_REASONS, MAX_DEPTH, MAX_SITES = 12, 6, 12, 100
+# A function that is called by one that is called is followed, and no further.
+MAX_CALLS = 2
 # So many points of a line are searched, and a longer condition is quoted.
 MAX_LENGTH = 400
 
@@ -91,7 +94,7 @@ class Reasons:
         for p in sorted(self._guards):
             statement = self._statement(p)
             if statement is not None and self._first.setdefault(statement.at, p) == p:
-                assigns = _ASSIGNS.fullmatch(statement.form)
+                assigns = ASSIGNS.fullmatch(statement.form)
                 given = [assigns.groups()] if assigns is not None else []
                 for called, values in CALL.findall(statement.form):
                     given += zip(parameters.get(called, ()), values.split(", "), strict=False)
@@ -108,9 +111,13 @@ class Reasons:
         # The points that call each unit, by its entry.
         self._calls: dict[int, list[int]] = defaultdict(list)
         for p in sorted(self._guards):
-            self._calls[structure.points[p].calls].append(p)
+            if structure.points[p].calls >= 0:
+                self._calls[structure.points[p].calls].append(p)
+        self._entries = sorted({unit.entry for unit in structure.units})
+        self._entry_of = {unit.name.lower(): unit.entry for unit in structure.units}
         self._known: dict[int, list[Reason]] = {}
-        self._depth = 0
+        # How many reasons, and functions that are called, lie around the present one.
+        self._depth = self._within_calls = 0
 
     def _ordered(self) -> list[int]:
         """Return the points that the program reaches, each before those that follow it but for loops."""
@@ -489,6 +496,9 @@ class Reasons:
         self, called: re.Match[str], sign: str, right: str, q: int, statement: Statement
     ) -> list[Reason]:
         """Return why a function with the values of a call returns what compares so, with the time of its loops."""
+        if self._within_calls == MAX_CALLS:
+            return []
+        self._within_calls += 1
         name, values = called.groups()
         known, given = self._known, self._given
         bound = zip(self._parameters_of.get(name, ()), values.split(", "), strict=False)
@@ -509,6 +519,7 @@ class Reasons:
             if _TIME.match(each.words)
         }
         self._known, self._given = known, given
+        self._within_calls -= 1
         if len(times) == 1 and len(made) == 1:
             words, time = made[0].words, min(times)
             if words.startswith("without "):
@@ -519,7 +530,7 @@ class Reasons:
 
     def _within_unit(self, name: str) -> Iterator[int]:
         """Yield the points of a unit, without those of what it calls."""
-        seen, stack = set[int](), [each.entry for each in self._structure.units if each.name.lower() == name]
+        seen, stack = set[int](), [self._entry_of.get(name, -1)]
         while stack and len(seen) < MAX_LENGTH:
             p = stack.pop()
             if p >= 0 and p not in seen:
@@ -559,7 +570,8 @@ class Reasons:
 
     def _begin(self, p: int, value: str, numbers: Sequence[tuple[int, str]]) -> float:
         """Return the number from which a variable is counted: that in the line of the only calls, or of the text."""
-        entry = max((unit.entry for unit in self._structure.units if unit.entry <= p), default=-1)
+        k = bisect_right(self._entries, p)
+        entry = self._entries[k - 1] if k else -1
         before = [
             [number for q, number in numbers if q < call and self._line(q) == self._line(call)]
             for call in self._calls[entry]

@@ -44,7 +44,10 @@ class Starts(NamedTuple):
 
 
 def starts_of(exploration: Exploration, names: ReaderNames) -> Starts | None:
-    """Return what starts the cycle of the world, or its whole run; None if no axis moves there but for a homing."""
+    """Return what starts the cycle of the world, or its whole run; None if no axis moves there but for a homing.
+
+    None also if nothing that was played starts it, and not all was played.
+    """
     run, most = exploration.world.run, exploration.work + WORK
     cycle, homes = run.cycle, run.dialect.table().homes
     until = run.time if cycle is None else min(LONGER * cycle.times[1] + WATCHED, run.time)
@@ -77,6 +80,8 @@ def starts_of(exploration: Exploration, names: ReaderNames) -> Starts | None:
             others.append(change)
     if all(each.table == "answer" for each in starting):
         starting, asked = starting + asked, []
+    if not starting and exploration.work >= most:
+        return None
     if not starting:
         starting, behind = behind, []
     return Starts(starting, asked + held, behind + following, others)

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from motionlang.kernel import Run
 from motionlang_explore.exploration import SECOND, Change, Exploration, entries, is_pushed
 from motionlang_explore.map.names import ReaderNames
+from motionlang_explore.map.starts import LEFT
 
 # So much longer than two cycles the machine is watched, s; once all together have done so much work, no more is played.
 WATCHED, WORK = 3.0, 2 * SECOND
@@ -101,7 +102,7 @@ def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterat
     given = entries(settings, "input")
     for number in exploration.channels:
         own = [each for each in given if each["channel"] == number]
-        if not own or (len(own) == 1 and own[0].keys() <= {"channel", "at", "value"}):
+        if not own or (len(own) == 1 and own[0].keys() <= LEFT):
             is_on = bool(own) and bool(own[0].get("value", 1))
             yield Change("input", number, 0.0 if is_on else 1.0)
     causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)

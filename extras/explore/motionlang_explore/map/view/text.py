@@ -72,12 +72,9 @@ def render(made: ProgramMap, *, width: int, colour: bool = False, has_all: bool 
 def cycle_line(behaviour: MachineBehaviour) -> str:
     """Return one line about the cycle of a machine."""
     run = behaviour.run
-    unreached = [each for each in behaviour.unreached if each.why == UNREACHED]
-    missed = [
-        line
-        for line in behaviour.exploration.missed_moves
-        if not any(each.first <= line <= each.last for each in unreached)
-    ]
+    rows = (each for each in behaviour.unreached if each.why == UNREACHED)
+    unreached = {line for each in rows for line in range(each.first, each.last + 1)}
+    missed = [line for line in behaviour.exploration.missed_moves if line not in unreached]
     lines = f"line{'s' if len(missed) > 1 else ''} {ranges(missed)}"
     others = f"; moves of {lines} were not played, so a good piece may take another cycle" if missed else ""
     fault = behaviour.exploration.fault_of(run)
