@@ -8,8 +8,8 @@ from motionlang import certify
 from motionlang.commands.certify.motion import verify_motion
 from motionlang.kernel import Run, Source
 from motionlang.kernel.planners import plan
-from tests.forged.logs import chosen, forge
 from tests.proof import prove, run
+from tests.proof.forged.logs import chosen, forge
 from tests.proof.test_forged import FORGED, SETTINGS, TWO
 
 # Changes that break neither continuity, nor an end, nor a limit, nor the distances of the log: the proof of the tests
@@ -19,7 +19,7 @@ ONLY_PROVED = {
     "a cam of a master that goes back", "a segment over another distance",
     "a path that sped up for the next one, too fast", "a segment behind another ratio", "a corner above CONTOURANGLE",
 }  # fmt: skip
-# The same of `tests/forged/logs.py`. Others are accepted where the change is none: the entry of an offset, a stop.
+# The same of `proof/forged/logs.py`. Others are accepted where the change is none: the entry of an offset, a stop.
 KINDS_ONLY_PROVED = {
     "goes on", "has another scale", "has another zero", "has run out", "is cancelled", "is ended by a fault",
     "is of another line", "is replaced", "is stopped",

@@ -13,7 +13,7 @@ from motionlang.kernel import Run
 from motionlang.kernel.controller.motion.offset import OffsetMove
 from motionlang.kernel.log import LoggedMove
 from motionlang.kernel.planners import Profile
-from tests.forged.programs import PROGRAMS, ran
+from tests.proof.forged.programs import PROGRAMS, ran
 
 Entries = list[LoggedMove]
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import pytest
 
-from tests.forged.logs import Forged, candidates, chosen, forge
 from tests.proof import prove
+from tests.proof.forged.logs import Forged, candidates, chosen, forge
 
 
 def verdicts(logs: list[Forged]) -> dict[str, bool]:
