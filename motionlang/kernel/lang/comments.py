@@ -45,8 +45,8 @@ _WORDS = {
     "output": r"d?[oq]|[uy](?=\d)|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
     rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|usc(?:it[ae])?|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|kanaa?l|canale?|voies?|d?i/o|dio",
-    "analogue input": rf"a/?dc?|ai|ai?n|ana|canale analogico|{_ALONE}a|anal[oó]gic[ao]s?"
-    r"|analog(?:ue)?(?: in(?:put)?s?)?",
+    "analogue input": rf"a/?dc?|ai|ai?n|ana|{_ALONE}a|anal[oó]gic[ao]s?|analog(?:ue)?(?: in(?:put)?s?)?"
+    r"|(?:canale|ingress[oi]|entradas?|entr[ée]es?) anal[oó]gi(?:qu|c)[aeio]s?|analogeing(?:ang|änge)",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
     "axis": f"ax(?:is|es?)?|achsen?|ejes?|ass[ei]|assen|{_DRIVES}",
     "encoder": "enc(?:oder)?s?",
@@ -72,13 +72,19 @@ _UNIT = (
 )
 # Where an item begins: two blanks or a sign. A colon is one before a word only.
 _BEGIN = r"(?P<wide>^\s*|(?<!\s)\s\s+)|[,;|*]\s*|[./]\s|[.:]\s?(?!bit )(?=[^\W\d]|[(\[]\D)"
-# What is before the word of a list there, as in "(I)" and "air valves:", and what the word is not in a text.
-_FIRST = r"(?:[(\[](?=[\w/ ]+[)\]]))?(?:\w+ (?=\w+ ?:))??"
+# What is before the word of a list there, as in "(I)", "air valves:" and "analog AN0", and what it is not in a text.
+_FIRST = (
+    r"(?:[(\[](?=[\w/ ]+[)\]]))?(?:\w+ (?=\w+ ?:))??"
+    rf"(?:(?:{'|'.join(_WORDS.values())})\s+(?=[a-z]{{1,3}}\d))??"
+)
 _LATER = f"(?!{_SENSORS}|{_ACTUATORS}|{_DRIVES})"
+# A number without either, unless it is the end of a name before a gap.
+_LAST = r"(?(starts)|(?!\d+\s\s))"
 # A number behind a word, a mark or neither, with the sign and the letter behind it: "IN 0 -", "OUT(0) =", "#4".
 _ITEM = re.compile(
     rf"(?:(?P<starts>{_BEGIN})|\s)(?P<item>)"
-    rf"(?:(?(starts){_FIRST}|{_LATER})(?:{_KIND})(?(starts){_BETWEEN}*|[.:#=(]* ?)|[#(\[]|bit )?(?P<number>\d{{1,3}})"
+    rf"(?:(?(starts){_FIRST}|{_LATER})(?:{_KIND})(?(starts){_BETWEEN}*|[.:#=(]* ?)|(?:[#(\[]|bit )?{_LAST})"
+    r"(?P<number>\d{1,3})"
     rf"[)\]]?(?:\s*(?P<equal>=)\s*|\s*(?:[-:|/]|\.+)\s*|\s+(?!{_UNIT}(?!\w))|(?!\d))(?P<name>[\"']?[^\W\d_])?",
     re.IGNORECASE,
 )
@@ -104,7 +110,7 @@ _MARKS = re.compile(r"^\s*(?:REM\b|['/;*]+)[\s*|]*", re.IGNORECASE)
 # A text in brackets, in which no item begins; `COMMS(3)` and `(I) 1` have none.
 _BRACKETS = re.compile(rf"\((?!\s*\d+\s*\)|(?<!\w \()(?:{_KIND})\))[^()]*\)", re.IGNORECASE)
 # "X = 0", "X=0" and "X axis = 0": a letter for an axis.
-_LETTER = re.compile(r"\b([A-Z])(?: [Aa]xis| AXIS)?\s*=\s*(\d)\b")
+_LETTER = re.compile(r"(?<![-\d]\d )\b([A-Z])(?: [Aa]xis| AXIS)?\s*=\s*(\d)\b")
 # A channel that is an output: "CH 9 OUT vibrator", "CH9 red lamp (out)".
 _OUT = re.compile(r"(?:^|\()out(?:put)?\b\)?\s*", re.IGNORECASE)
 # A remark that may be a name has at most three words; a number before it, none of a level, is that of the channel.
