@@ -53,7 +53,7 @@ from motionlang_explore.identification import Entry, place
 # this length, s. They have a share of their own, a larger one where none was found, and those that names suggest may
 # take so much.
 GOOD, OWN, SEARCHED, LIKELY, TRIES, LENGTH = 0.2, 0.15, 0.3, 0.6, 250, 60.0
-# A run that stands still ends at this time, s.
+# A run that stands still, or says again and again what is wrong, ends at this time, s.
 STANDS = 20.0
 # A world in which less of the program is carried out does little. Then so many other cycles are tried, and another one
 # must be worth so much more.
@@ -341,8 +341,8 @@ def _climbed(
                 if trials.work > (min(enough, most) if _is_enough(best) else most) or trials.count > last:
                     return best
                 run = _tried(explorer, settings, least)
-                # What says what is wrong comes no further than what has begun to work.
-                is_right = run.is_good or run.faults <= best.faults or best.times < ENOUGH
+                # What says what is wrong comes no further than what has begun to work, and does not say so.
+                is_right = run.is_good or run.faults <= best.faults or best.times < ENOUGH or best.faults
                 if run.value > best.value and is_right:
                     best = run
             if best.value > before + HALF:
@@ -400,7 +400,8 @@ def _channels(explorer: Explorer) -> list[Channel]:
 
 def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     """Return a run in a world with its worth; it works if it does something at least so often, or ends."""
-    run, begun, read = explorer.trials.run_in(settings, STANDS, LENGTH, stands=_stands)
+    is_known = partial(_is_known, explorer)
+    run, begun, read = explorer.trials.run_in(settings, STANDS, LENGTH, stands=is_known)
     begun -= explorer.handlers
     right, faults = _acts(explorer, run)
     has_ended = run.status == "ended"
@@ -415,7 +416,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
-    is_over = run.status == "until" and run.time < (STANDS if is_stuck else LENGTH)
+    is_over = run.status == "until" and run.time < (STANDS if is_known(run) else LENGTH)
     statements = explorer.program.structure.statements.values()
     is_motionless = not any(each.moves for each in statements)
     works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
@@ -443,6 +444,13 @@ def _stands(run: Run) -> bool:
     waits = [] if scheduler is None else [task.wait for task in scheduler.tasks if not task.done]
     pauses = any(wait is not None and wait.cause == "time" and wait.due() > run.time + PUSH for wait in waits)
     return 2 * last < run.time and not pauses
+
+
+def _is_known(explorer: Explorer, run: Run) -> bool:
+    """True if a run stands, or says again and again what is wrong, and nothing that is right."""
+    right, faults = _acts(explorer, run)
+    says_wrong = max(faults.values(), default=0) >= ENOUGH and not any(kind == SAID for kind, _ in right)
+    return says_wrong or _stands(run)
 
 
 def _listed(settings: Settings) -> set[Channel]:
@@ -611,14 +619,15 @@ def _rules(explorer: Explorer, channel: Channel, best: Tried) -> Iterator[Entry]
         for every in explorer.periods[channel[1]]:
             yield {"at": every, "for": SOON, "every": every}
         yield {**COUNTED}
-    yield from _marks(best.run, explorer.marks.get(channel[1], ()))
+    middle = (0.5,) if channel[1] in explorer.latches else ()  # a latch looks for a mark in a move
+    yield from _marks(best.run, explorer.marks.get(channel[1]) or middle)
     yield from explorer.likely.rules(channel[1])
     followed = [*_followed(best, channel)]
     yield from ({}, *followed[:1], {**PULSES}, {**ON, "for": PUSH}, *followed[1:])
     for axis, way in _ways(best.run).items():
-        middle = round((min(way.places) + max(way.places)) / 2, 2)
-        yield {"axis": axis, "above": middle}
-        yield {"axis": axis, "below": middle}
+        half = round((min(way.places) + max(way.places)) / 2, 2)
+        yield {"axis": axis, "above": half}
+        yield {"axis": axis, "below": half}
     yield from _marks(best.run, (0.5,))
 
 

@@ -22,7 +22,7 @@ def _words(**languages: str) -> re.Pattern[str]:
 
 
 # In the name of an input: what resets a fault, what a person pushes, what is on in a good machine, what is there in a
-# bad one, and what is on while its output is off.
+# bad one, what is seen, and what is on while its output is off.
 RESET = _words(
     en=r"reset",
     de=r"quit|entst(?:oe|ö)r",
@@ -57,6 +57,14 @@ ABSENT = _words(
     es=r"abiert|llen[oa]\b|\brot[oa]\b|atasc",
     it=r"apert|pien[oa]\b|vuot[oa]\b|rott[oa]\b|esaurit",
     nl=r"\bvol\b|leeg|breuk",
+)
+_SEEN = _words(
+    en=r"\bseen\b|sensor|detect|\beye\b",
+    de=r"erkannt",
+    fr=r"d[ée]tect|capteur",
+    es=r"detect",
+    it=r"rileva|sensore",
+    nl=r"gezien|sensor",
 )
 BACK = _words(
     en=r"\bup\b(?! to)|home|\bback|open|retract|releas|raised",
@@ -161,7 +169,7 @@ def alarms_in(names: Iterable[Named]) -> frozenset[int]:
 
 def is_pushed(name: str) -> bool:
     """True if a name is that of what a person pushes at work, such as a start button."""
-    is_other = is_reset(name) or bool(STEADY.search(name) or ABSENT.search(name))
+    is_other = is_reset(name) or any(each.search(name) for each in (STEADY, ABSENT, _SEEN))
     return bool(BY_HAND.search(name)) and not is_other
 
 

@@ -84,6 +84,44 @@ Event IN1
   marked = 1
 End Event
 """
+# A tray that was seen one place before needs a mark on its film, which a latch takes in the middle of a feed; it is
+# counted two places later, with its lid on. A host starts the line.
+LATCHED = f"""\
+{RATES}
+LATCHTRIGGERCHANNEL(0) = 5
+Dim tray(4) As Integer, film(4) As Integer, fault As Integer, i As Integer
+Loop
+  If NETINTEGER(1) = 1 And fault = 0 And INX(2) = 0 Then
+    fault = 1
+    Print "guard open"
+  ElseIf NETINTEGER(1) = 1 And fault = 0 Then
+    MOVER(1) = 4 : GO(1) : Pause IDLE(1)
+    For i = 4 To 2 Step -1
+      tray(i) = tray(i - 1) : film(i) = film(i - 1)
+    Next
+    tray(1) = INX(1) : film(1) = 0
+    If tray(2) Then Seal()
+    If film(3) And INX(3) = 0 Then film(3) = 0
+    If film(4) And fault = 0 Then Print "tray sealed"
+  ElseIf fault Then
+    If INX(6) Then fault = 0
+  End If
+  Wait(20)
+End Loop
+Sub Seal()
+  LATCHENABLE(0) = 1
+  MOVER(0) = 9 : GO(0)
+  Pause LATCH(0) Or IDLE(0)
+  If LATCH(0) Then
+    INCA(0) = LATCHVALUE(0) + 2
+    Pause IDLE(0)
+    film(2) = 1
+  Else
+    fault = 1
+    Print "film mark not found"
+  End If
+End Sub
+"""
 # A part, a probe that feels it, and a stop; all are looked at once in a stroke.
 PROBE = f"""\
 {RATES}
@@ -238,6 +276,7 @@ End Loop
         pytest.param(SHIFT, "cell passed", "nothing", id="shift"),
         pytest.param(SPRINGS, "passed", "scrap", id="springs"),
         pytest.param(MARKS, "sheet cut", "nothing", id="marks"),
+        pytest.param(LATCHED, "tray sealed", "nothing", id="latched"),
         pytest.param(PROBE, "four passed", "nothing", id="probe"),
         pytest.param(ORDER, "tube cut", "length refused", id="order"),
         pytest.param(TYPED, "bun glazed", "nothing", id="typed"),
