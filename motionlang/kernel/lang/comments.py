@@ -44,7 +44,7 @@ _WORDS = {
     rf"|{_ALONE}e|eing(?:ang|änge)?|ent(?:r(?:[ée]es?|adas?)?)?|ing(?:r(?:ess[oi])?|ang(?:en)?)?|{_SENSORS}",
     "output": r"d?[oq]|[uy](?=\d)|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
     rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|usc(?:it[ae])?|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
-    "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|kanaa?l|canale?|voies?|d?i/o|dio",
+    "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|can(?=[ .]?\d)|kanaa?l|canale?|voies?|d?i/o|dio",
     "analogue input": rf"a/?dc?|ai|ai?n|ana|{_ALONE}a|anal[oó]gic[ao]s?|analog(?:ue)?(?: in(?:put)?s?)?"
     r"|(?:canale|ingress[oi]|entradas?|entr[ée]es?) anal[oó]gi(?:qu|c)[aeio]s?|analogeing(?:ang|änge)",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
@@ -63,7 +63,8 @@ _HEADING = re.compile(
 )
 # A name before its word and number: "carriage = axis 0", "datum switch of the saddle on i/p 8".
 _REVERSED = re.compile(
-    rf"\s*(?P<name>[A-Z]|[A-Za-z][\w ]+?)(?:\s*=\s*|(?<=\w) on )(?:{_KIND})[ .#]*(?P<number>\d{{1,3}})\.?\s*",
+    rf"\s*(?P<name>[A-Z]|[A-Za-z][\w ]+?)(?:\s*=\s*|(?<=\w) on )(?:{_KIND})[ .#]*(?P<number>\d{{1,3}})\.?\s*"
+    r"(?:\([^()]*\)\s*)?",
     re.IGNORECASE,
 )
 _UNIT = (
@@ -94,8 +95,8 @@ _RANGE = re.compile(
 )
 # Where the name ends: at two blanks, a sign, a bracket, a number with a unit, a range, or the value of a number.
 _END = re.compile(
-    rf"\s{{2,}}|[,;|*(]|(?<=\w\w)(?:\.(?:\s|$)|:(?=\s*(?:\d|$)))|\s-\s+(?=\w)|(?:\s+in)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
-    r"|(?:\s+in)?\s+(?:mm|deg|rpm|%)(?=\s*(?:[,;.]|\s\s|$))"
+    rf"\s{{2,}}|[,;|*(]|(?<=\w\w)(?:\.(?:\s|$)|:(?=\s*(?:\d|$)))|\s-\s+(?=\w)|(?:\s+[ie]n)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
+    r"|(?:\s+[ie]n)?\s+(?:mm|deg|rpm|%)(?=\s*(?:[,;.]|\s\s|$))"
     r"|\s+(?=\d{1,3}(?:\s*=|-\d))",
     re.IGNORECASE,
 )
