@@ -235,6 +235,7 @@ class _Stretch:
         self.is_known = False
         self._pass = inf  # the shortest time from a statement to the same one
         self._last_pass = inf  # when the last statement began before
+        self._long_pass = 0.0  # when one longer than `BODY` has ended before anything was known to repeat
 
     def take(self, begun: Begun, is_behind_skip: bool) -> bool:
         """Take a statement that belongs to the loop; False if it does not.
@@ -251,6 +252,8 @@ class _Stretch:
             self._pass = min(self._pass, begun.time - before.time)
             if not self.is_known and begun.time - self.begin >= SHORTEST_REST:
                 self._know(min(before.time, begun.time - BODY))
+            if not self.is_known and begun.time - before.time > BODY:
+                self._long_pass = begun.time
         self.body[begun.at] = begun
         self.firsts.setdefault(begun.at, begun.time)
         self.counts[begun.at] += 1
@@ -271,9 +274,14 @@ class _Stretch:
         self.is_known = True
 
     def loop(self, end: float) -> frozenset[int]:
-        """Return the statements that repeat, none if they do not for another pass until a time."""
+        """Return the statements that repeat, none if they do not for another pass until a time.
+
+        A long first pass that did something else as well is no part of the loop.
+        """
         if not self.is_known or end - self.begin < 1.5 * self._pass:
             return frozenset()
+        if any(count == 1 and at in self.body for at, count in self.counts.items()):
+            self.begin = max(self.begin, self._long_pass)
         return frozenset(at for at in self.body if self.counts[at] > 1)
 
 
@@ -290,8 +298,8 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
         ends = [*(each.first for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
         for stretch, end in zip(stretches, ends, strict=True):
             known = min(end, trial.time)
-            begin = moves.at_rest(stretch.begin, known)
             loop = stretch.loop(known)
+            begin = moves.at_rest(stretch.begin, known)
             if loop and known - begin >= SHORTEST_REST:
                 yield _Stay(
                     stretch.begin, begin, end, TaskRest(name, loop, _without_repeats(stretch.callers))
