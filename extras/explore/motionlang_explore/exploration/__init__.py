@@ -89,7 +89,7 @@ from motionlang_explore.exploration.trials import (
     asks,
 )
 from motionlang_explore.exploration.values import is_probe
-from motionlang_explore.exploration.words import is_pushed, is_reset, is_wrong, names_alarm
+from motionlang_explore.exploration.words import is_pushed, is_reset, is_run, is_wrong, names_alarm
 from motionlang_explore.exploration.world import FoundWorld
 from motionlang_explore.identification import Entry
 
@@ -132,6 +132,7 @@ __all__ = [
     "is_probe",
     "is_pushed",
     "is_reset",
+    "is_run",
     "is_wrong",
     "keys_of",
     "lines_of",

@@ -58,6 +58,14 @@ ABSENT = _words(
     it=r"apert|pien[oa]\b|vuot[oa]\b|rott[oa]\b|esaurit",
     nl=r"\bvol\b|leeg|breuk",
 )
+_RUN = _words(
+    en=r"\brun(?:ning)?\b(?! out)",
+    de=r"\bbetrieb",
+    fr=r"\bmarche\b",
+    es=r"\bmarcha\b",
+    it=r"\bmarcia\b",
+    nl=r"bedrijf",
+)
 _SEEN = _words(
     en=r"\bseen\b|sensor|detect|\beye\b",
     de=r"erkannt",
@@ -171,6 +179,11 @@ def is_pushed(name: str) -> bool:
     """True if a name is that of what a person pushes at work, such as a start button."""
     is_other = is_reset(name) or any(each.search(name) for each in (STEADY, ABSENT, _SEEN))
     return bool(BY_HAND.search(name)) and not is_other
+
+
+def is_run(name: str) -> bool:
+    """True if a name is that of a switch with which a machine runs."""
+    return bool(_RUN.search(name)) and not ABSENT.search(name)
 
 
 def is_reset(name: str) -> bool:

@@ -319,6 +319,7 @@ class _Words:
         given = [
             (each, (self.to(each.target), *names.changed(each.source, each.target)))
             for each in sorted(node.transitions, key=lambda each: len(each.causes))
+            if _is_in_time(each)
         ]
         for each, leads in given:
             same[leads].append(each)
@@ -421,6 +422,12 @@ class _Words:
                     instead = " and ".join(map(self.names.of, each.causes))
                     found.append(ChoiceRow(instead, self.state_names[each.source], acts))
         return found
+
+
+def _is_in_time(each: Transition) -> bool:
+    """True if the moves have begun in which its changes come."""
+    begun = {line for line, _ in each.does.moves} | each.visit.moved
+    return all(not one.moment.line or one.moment.line in begun for one in each.causes)
 
 
 def _replaces(other: Transition, each: Transition) -> bool:

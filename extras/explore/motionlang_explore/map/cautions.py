@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from motionlang.kernel.lang import WRITE, Statement, Structure
@@ -16,11 +16,12 @@ from motionlang.kernel.tools import ranges
 from motionlang_explore.exploration import (
     Change,
     Exploration,
+    is_reset,
     is_wrong,
 )
 from motionlang_explore.map.ends import Ends, Steps
 from motionlang_explore.map.names import ReaderNames, is_alarm
-from motionlang_explore.map.reasons import MAX_REASONS, QUOTED, Reason, Reasons
+from motionlang_explore.map.reasons import DIRECT, MAX_REASONS, QUOTED, Reason, Reasons
 from motionlang_explore.map.starts import starts_of
 from motionlang_explore.map.stops import stops_of
 
@@ -48,11 +49,8 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     """Return the cautions of a machine."""
     reasons = Reasons(structure, names, exploration.world.run.controller.inputs.active_low)
     rows = list(_start(exploration, names))
-    stops = list(_stops(exploration, structure, names)) or [
-        ("nothing that was played", "cuts off a move to a target")
-    ]
-    rows += [CautionRow("stops", *each) for each in stops if exploration.axes and exploration.channels]
-    rows += _stopping(exploration, names)
+    if exploration.axes and exploration.channels:
+        rows += _stops(exploration, structure, names)
     rows += _alarms(exploration, structure, names, reasons)
     waits = {
         structure.line(at)
@@ -76,6 +74,8 @@ def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]
     played = [f"with {following} behind an output or an axis"] if following else []
     played += [f"with {_listed(starts.others, names)}"] if starts.others else []
     why += f"; played {' and '.join(played)}" if played else ""
+    left = ", ".join(names[each.subject] for each in starts.left)
+    why += f"; whether it needs {left} was not played" if left else ""
     yield CautionRow("starts", what, f"start{'' if len(starts.by) > 1 else 's'} the cycle{why}")
 
 
@@ -105,13 +105,21 @@ def _alarms(
         said = [] if is_question else map(str.strip, _TEXT.findall(_CODE.sub("", each.text)))
         texts = list(filter(None, said))
         shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
-        values = next((known for one in shown if len(known := reasons.values(one, each.at)) > 1), {})
-        is_number = bool(values) and any(map(is_alarm, (*shown, *texts)))
+        known = [reasons.values(one, each.at) for one in shown]
+        values = next((one for one in known if len(one) > 1), {})
+        # Behind the branches of the other numbers there is one left.
+        left = [only for one in known if len(one) == 1 for only in one.values()]
+        words = {one.words for one in causes}
+        causes = next((only for only in left if only and {one.words for one in only} < words), causes)
+        # What is said when a fault is reset has no causes of its own.
+        is_over = any(map(is_reset, (one.words for one in causes if one.rank == DIRECT)))
+        is_number = bool(values) and any(map(is_alarm, (*shown, *texts))) and not is_over
         values = values if is_number else {}  # a step or a count in a text is no number of an alarm
         is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
         is_left = is_told and each.at not in usual | exploration.world.cycle.begun
         says_wrong = bool(texts) and (is_wrong(" ".join(texts)) or each.at in exploration.trouble)
-        is_trouble = is_number or bool(lamps) or (says_wrong and each.at not in usual)
+        says_wrong &= not is_over and each.at not in usual
+        is_trouble = is_number or bool(lamps) or says_wrong
         causes = causes or (reasons.waited(each.at) if is_trouble else [])
         if texts and (is_trouble or is_left):
             what = [repr(" ... ".join(texts) + " ..." * bool(values))]
@@ -123,11 +131,11 @@ def _alarms(
             ]
             what = lamps if lamps and is_on else hosts
         if what:
-            by = [one for known in values.values() for one in known] or causes
+            by = [one for some in values.values() for one in some] or causes
             key = frozenset(one.text for one in by) or tuple(what)
             row = found.setdefault((not is_trouble, key), ({}, [], []))
             row[0].update(dict.fromkeys(what))
-            why = "; ".join(f"{value}: {_by(known)}" for value, known in values.items())
+            why = "; ".join(f"{value}: {_by(reasons_of)}" for value, reasons_of in values.items())
             row[1].append(f"with {why}" if values else _by(causes))
             row[2].append(each)
     ends = Ends(
@@ -180,12 +188,34 @@ def _by(reasons: Sequence[Reason]) -> str:
     return f"{after}{text}" if text else "by a condition that is not known"
 
 
-def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[tuple[str, str]]:
-    """Yield the changes that cut off moves, each with the lines of these moves and the handler that it starts."""
+def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[CautionRow]:
+    """Yield what cuts off moves, with their lines and the handler, and what stops the machine between its moves."""
+    cut_off, stops = exploration.cut_off(), stops_of(exploration, names)
+    for change in stops.cuts:
+        cut_off.setdefault(change, set()).add(stops.move)
+    yield from _cuts(cut_off, structure, names)
+    ways = (each for node in exploration.nodes for each in node.transitions)
+    if not cut_off and not any(ended for each in ways for _, ended in each.does.moves):
+        yield CautionRow("stops", "nothing that was played", "cuts off a move to a target")
+    found: dict[int, list[str]] = defaultdict(list)
+    for change, line in stops.lines:
+        if change not in cut_off:
+            found[line].append(names.of(change))
+    for line, changes in sorted(found.items()):
+        where = f"behind line {line}" if line else "at the end of its cycle"
+        what = " or ".join(changes)
+        yield CautionRow("stops", what, f"in the move of line {stops.move} stops the machine {where}")
+    if stops.left:
+        what = ", ".join(map(names.of, stops.left))
+        yield CautionRow("stops", "whether the machine stops", f"by {what} was not played")
+
+
+def _cuts(
+    cut_off: Mapping[Change, Collection[int]], structure: Structure, names: ReaderNames
+) -> Iterator[CautionRow]:
     units = {
         f"{each.channel} {each.number}": unit.title for unit in structure.units for each in unit.triggers
     }
-    cut_off = exploration.cut_off()
     channels: dict[str, list[Change]] = defaultdict(list)
     for one in sorted(cut_off, key=lambda each: (each.table, each.number, each.value)):
         channels[one.subject].append(one)
@@ -197,23 +227,7 @@ def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -
             for one in others
         ]
         found[", ".join(cuts) + (f" by {units[subject]}" if subject in units else "")].append(names.of(first))
-    yield from ((" or ".join(changes), cuts) for cuts, changes in found.items())
-
-
-def _stopping(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
-    """Yield what stops the machine between its moves, with the line of the last one, or at the end of a cycle."""
-    known, stops = exploration.cut_off(), stops_of(exploration, names)
-    found: dict[int, list[str]] = defaultdict(list)
-    for change, line in stops.lines:
-        if change not in known:
-            found[line].append(names.of(change))
-    for line, changes in sorted(found.items()):
-        where = f"behind line {line}" if line else "at the end of its cycle"
-        what = " or ".join(changes)
-        yield CautionRow("stops", what, f"in the move of line {stops.move} stops the machine {where}")
-    if stops.left:
-        what = ", ".join(map(names.of, stops.left))
-        yield CautionRow("stops", "whether the machine stops", f"by {what} was not played")
+    yield from (CautionRow("stops", " or ".join(changes), cuts) for cuts, changes in found.items())
 
 
 def _lines(lines: Collection[int]) -> str:

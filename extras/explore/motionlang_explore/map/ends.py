@@ -36,7 +36,7 @@ from motionlang_explore.exploration import (
 from motionlang_explore.map.names import ReaderNames
 
 # So many changes are tried behind each begin, and in all alarms no more once they have done so much work.
-MAX_TRIED, WORK = 20, SECOND
+MAX_TRIED, WORK = 20, 3 * SECOND
 # An alarm is over if it does not come again for so long, s.
 AWHILE = 1.0
 # The values with which an output is switched on.
@@ -111,7 +111,6 @@ class Ends:
         if self._is_out_of_work and not known:
             return None
         start = self._begun(first, alarm)
-        alarm.shows(start.played, self._names)
         if alarm.goes_on(start.played):
             return ()
         alarm.begins(start.played, first)
@@ -126,12 +125,21 @@ class Ends:
         return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
 
     def _begun(self, led: Transition, alarm: _Alarm) -> _Reached:
-        """Return what an alarm begins with: nobody holds a reset, unless it does not come or stay so."""
-        visit, own = led.visit, {each.number for each in led.causes if each.table == "input"}
-        released = self._resets(n for n, level in visit.levels.items() if level and n not in own)
-        start = self._play(visit.changed((*led.causes, *released)), visit.change_time)
-        if released and not alarm.has_come(start.played):
-            start = self._play(visit.changed(led.causes), visit.change_time)
+        """Return what an alarm begins with: its causes come where the good cycle begins, or, if it does not, as seen.
+
+        Nobody holds a reset, unless the alarm does not come or stay so.
+        """
+        cycle, own = self._exploration.world.cycle, {one.number for one in led.causes if one.table == "input"}
+        for visit in (*([cycle.visit] if led.causes else ()), led.visit):
+            released = self._resets(n for n, level in visit.levels.items() if level and n not in own)
+            for changes in dict.fromkeys(((*led.causes, *released), led.causes)):
+                start = self._play(visit.changed(changes), visit.change_time)
+                if alarm.has_come(start.played):
+                    break
+            else:
+                continue
+            break
+        alarm.shows(start.played, self._names)
         now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
         held = self._resets(n for (table, n), level in now.items() if table == "input" and level)
         later = self._changed(start, held)
@@ -248,8 +256,10 @@ class _Alarm:
         self.undone: Step = ()
 
     def has_come(self, played: PlayedTimeline) -> bool:
-        """True if one of its statements has begun."""
-        return any(one.at in self.at for some in played.trial.statements.values() for one in some)
+        """True if one of its statements has begun, but for what writes a value that it works out."""
+        return any(
+            one.at in (self._said or self.at) for some in played.trial.statements.values() for one in some
+        )
 
     def distance(self, led: Transition) -> int:
         """Return how many inputs have another level behind a transition than at the begin of the cycle."""
@@ -292,12 +302,12 @@ class _Alarm:
         It is back in a good state, or on its way there. Unless the alarm `has_come` before, it has to come first.
         """
         trial, run, rests = played
-        said = [one.time for some in trial.statements.values() for one in some if one.at in self._said]
         if self._outputs:
             lit = [each for each in run.machine.log.outputs if each.channel in self._outputs]
-            said += [each.time for each in lit if each.value and each.time > trial.since]
+            said = [each.time for each in lit if each.value and each.time > trial.since]
             back = [trial.since, *(each.time for each in lit if not each.value)]
         else:
+            said = [one.time for some in trial.statements.values() for one in some if one.at in self._said]
             back = list(self._back(trial, rests))
         return any(
             not any(time <= one < time + AWHILE for one in said)

@@ -39,6 +39,11 @@ class ReaderNames:
         return f"{self[one.subject]}{text[len(one.subject) :]}" if text.startswith(one.subject) else text
 
 
+def spaced(name: str) -> str:
+    """Return a name with its words apart, such as "ip Run"."""
+    return _WORD.sub(" ", name)
+
+
 def is_alarm(name: str) -> bool:
     """True if a name, such as "opRed", is that of something that is on when something is wrong."""
-    return names_alarm(_WORD.sub(" ", name))
+    return names_alarm(spaced(name))

@@ -230,7 +230,7 @@ class Reasons:
 
     def _allows(self, p: int, name: str, number: str) -> bool:
         """True if no branch around a point compares a variable with another number than some."""
-        for q, side in self._guards[p] if len(self._guards[p]) == 1 else ():
+        for q, side in self._blocks(p, MAX_SITES):
             statement = self._statement(q)
             left, sign, right = _binary(_condition(statement)) if statement is not None else ("", "", "")
             if _is_number(left):
@@ -238,6 +238,15 @@ class Reasons:
             if left == f"~{name}" and _is_number(right) and _holds(number, sign, right) != side:
                 return False
         return True
+
+    def _blocks(self, p: int, most: int = MAX_DEPTH) -> Iterator[Guard]:
+        """Yield the sides of the branches around a point, from the inside, while each is the only guard."""
+        for _ in range(most):
+            guards = self._guards.get(p, ())
+            if len(guards) != 1 or guards[0][0] < 0:
+                return
+            yield guards[0]
+            p = guards[0][0]
 
     # --------------------------------------------------------------------------------------------------- reasons
 
@@ -260,9 +269,10 @@ class Reasons:
         if handlers and statement is not None and {each.rank for each in made} == {THROUGH}:
             # In a handler a variable only says when it acts.
             return [each._replace(words=f"{each.words} if `{statement.condition}`") for each in handlers]
-        before = self._before(q, side)
+        before = self._before(q, side) or (self._otherwise(q, made) if side else [])
         if before and statement is not None:
-            return [each._replace(words=f"{each.words} if `{statement.condition}`") for each in before]
+            since = self._since_when(made, before)
+            return [each._replace(words=f"{each.words} if `{statement.condition}`{since}") for each in before]
         if q < 0 or any(each.rank > COUNTED or "times" in each.words for each in made):
             return made
         # A time has the conditions before it as well, a quotation those of the blocks around it.
@@ -293,6 +303,12 @@ class Reasons:
         rank = COUNTED if is_looped else DIRECT
         return [each._replace(words=f"{outer} and {each.words}", rank=rank) for each in made]
 
+    def _since_when(self, made: Sequence[Reason], before: Sequence[Reason]) -> str:
+        """Return the one reason why a flag is set in brackets, unless it is about what comes later."""
+        later = {each.words.rpartition(" ")[0] for each in before}
+        is_one = len(made) == 1 and made[0].rank > QUOTED and not any(one in made[0].words for one in later)
+        return f" ({made[0].text})" if is_one else ""
+
     def _before(self, q: int, side: bool) -> list[Reason]:
         """Return the channels of the branches around one that tests a variable which these have not set."""
         name, number = self._tested(((q, side),))
@@ -302,6 +318,19 @@ class Reasons:
         if not sites or not is_flag or any(self._is_inside(p, outer) for p in sites for outer in around):
             return []
         return [each for outer in around for each in self._test(outer, True) if each.rank == DIRECT]
+
+    def _otherwise(self, q: int, made: Sequence[Reason]) -> list[Reason]:
+        """Return the channels of the branches around a test of a variable that was set when these were otherwise."""
+        if not made or not self._tested(((q, True),))[0]:
+            return []
+        around = (
+            each for guard in self._blocks(q) if not self._is_loop(guard[0]) for each in self._test(*guard)
+        )
+        return [
+            each
+            for each in around
+            if each.rank == DIRECT and all(_opposite(each.words) in one.words for one in made)
+        ]
 
     def _is_inside(self, p: int, outer: int) -> bool:
         """True if a branch guards a point, or what guards it."""
@@ -319,7 +348,9 @@ class Reasons:
             if len(guards) != 1 or guards[0][1]:
                 break
             q = guards[0][0]
-        return [outer for outer, side in self._guards.get(q, ()) if side]
+        guards = self._guards.get(q, ())
+        # Of several ways each has to be inside of something.
+        return [outer for outer, _ in guards] if all(side for _, side in guards) else []
 
     def _is_known(self, q: int, side: bool) -> bool:
         """True if a branch tests a step that a branch around it has tested, as If step = 2 in Case 2."""
@@ -487,7 +518,7 @@ class Reasons:
             yield from self._result(called, sign, right, q, statement)
         numbers = [(p, value) for p, value in sites if _is_number(value)]
         if _is_number(right):
-            yield from self._set(numbers, sign, right, q, statement)
+            yield from self._set(name, numbers, sign, right, q, statement)
         before = [each for each in counts if each[0] < q][-1:] or counts[:1]
         if before and sign[0] in ("<=" if "-" in before[0][1] else ">="):
             yield from self._counted(before[0], numbers, sign, right)
@@ -505,7 +536,7 @@ class Reasons:
         self._known, self._given = {}, {**given, **{parameter: [value] for parameter, value in bound}}
         sites = self._assignments(name)
         numbers = [(p, value) for p, value in sites if _is_number(value)]
-        made = list(self._set(numbers, sign, right, q, statement)) if _is_number(right) else []
+        made = list(self._set(name, numbers, sign, right, q, statement)) if _is_number(right) else []
         if len(sites) == 1 and not numbers and right == "0" and sign in ("=", "<>"):
             # A function that returns a comparison.
             (p, form), own = sites[0], self._structure.statements
@@ -539,13 +570,19 @@ class Reasons:
                 yield p
 
     def _set(
-        self, numbers: Sequence[tuple[int, str]], sign: str, right: str, q: int, statement: Statement
+        self,
+        name: str,
+        numbers: Sequence[tuple[int, str]],
+        sign: str,
+        right: str,
+        q: int,
+        statement: Statement,
     ) -> Iterator[Reason]:
         """Yield why a variable is set to a number that compares so, or what would have set it to another one."""
         is_flag = sum(float(value) != 0.0 for _, value in numbers) == 1
         holding = [(p, _holds(value, sign, right)) for p, value in numbers]
         # What holds at 0, as at the start, has a reason only behind what has made it not hold.
-        is_start = bool(holding) and _holds(0.0, sign, right)
+        is_start = bool(holding) and name not in self._parameters and _holds(0.0, sign, right)
         others = [p for p, holds in holding if not holds]
         ends = {each.words for p in others if p != q for each in self._of(p) if each.rank == DIRECT}
         if is_start and len(ends) == 1 and not any(holds and p > min(others) for p, holds in holding):
@@ -564,7 +601,10 @@ class Reasons:
         begin = self._begin(p, value, numbers)
         times = f"{abs(float(right) - begin) + (sign in '<>'):g}" if _is_number(right) else right.strip("~")
         by = self._of(p)
-        why = by[0].text if len(by) == 1 else f"line {self._line(p)}"
+        # A quotation may have been true before the count, and what a variable is not has other reasons as well.
+        is_else = any(not side and self._tested(((q, True),))[0] for q, side in self._guards[p])
+        is_known = len(by) == 1 and "`" not in by[0].text and not is_else
+        why = by[0].text if is_known else f"line {self._line(p)}"
         if times != "0":
             yield Reason(f"{times} times {f'({why})' if why[0].isdigit() else why}", 0, COUNTED)
 

@@ -2,7 +2,7 @@
 
 In the first move of a cycle each input that is left on goes off, each that is left off comes on, and each key that the
 program reads is pressed. What goes on as usual for a while and then begins no other move has been stopped there. A
-machine that goes on as usual when its start button is released is played so.
+machine that goes on as usual when nobody pushes its start button any more is played so.
 """
 
 from __future__ import annotations
@@ -13,79 +13,119 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.kernel import Run
-from motionlang_explore.exploration import SECOND, Change, Exploration, entries, is_pushed
+from motionlang.kernel.log import CONTINUED, LoggedMove
+from motionlang_explore.exploration import (
+    SECOND,
+    Change,
+    Exploration,
+    Rest,
+    Trial,
+    entries,
+    is_pushed,
+    number_in,
+)
 from motionlang_explore.map.names import ReaderNames
 from motionlang_explore.map.starts import LEFT
 
 # So much longer than two cycles the machine is watched, s; once all together have done so much work, no more is played.
 WATCHED, WORK = 3.0, 2 * SECOND
+# What a move is not cut off by.
+UNCUT = ("", CONTINUED)
 # Times that differ by less are the same, s.
 SHORT = 1e-6
 
 
 class Stops(NamedTuple):
-    """The changes that bring a machine to rest, and those that were not played to the end.
+    """The changes that bring a machine to rest, those that cut off a move, and those that were not played to the end.
 
-    They are made in the middle of a move. A line is that of the last thing that was done as usual, a move, an output or
-    a print, 0 at the end of the cycle.
+    They are made in the middle of the move of line `move`. A line is that of the last thing that was done as usual, a
+    move, an output or a print, 0 at the end of the cycle.
     """
 
     lines: Sequence[tuple[Change, int]] = ()
+    cuts: Sequence[Change] = ()
     left: Sequence[Change] = ()
     move: int = 0
 
 
 def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
     """Return what stops a machine that makes good pieces between its moves; nothing is played of any other."""
-    world, most = exploration.world, exploration.work + WORK
-    found = world.run.cycle
-    if found is None or exploration.fault_of(world.run) or len(found.times) < 3:
+    world = exploration.world
+    cycle = world.run.cycle
+    if cycle is None or exploration.fault_of(world.run) or len(cycle.times) < 3:
         return Stops()
-    begin, end = found.times[1:3]
-    log = world.run.machine.log
-    moves = [
-        (each.start_time, each.profile.duration, each.line)
-        for each in log.moves
-        if each.profile is not None and begin <= each.start_time < end
-    ]
-    if not moves:
+    begin, end = cycle.times[1:3]
+    moves = (each for each in world.run.machine.log.moves if each.profile is not None)
+    move = next((each for each in moves if begin <= each.start_time < end), None)
+    if move is None:
         return Stops()
-    first, seconds, move = moves[0]
-    time, lines = first + min(seconds, end - begin) / 2.0, [line for *_, line in moves]
-    until, usual = time + 2.0 * found.period + WATCHED, [*lines[1:], *lines]
-    done = [line for at, line in _acts(exploration, world.run) if time < at < end]
-
-    def line_behind(settings: Mapping[str, object]) -> int | None:
-        """Return the line behind which the machine stops, 0 at the end of its cycle, -1 if it goes on."""
-        trial, run, rests = exploration.play_in(settings, until)
-        if not (trial.is_stuck or trial.has_ended or trial.time >= until - SHORT):
-            return None
-        begun = [each.line for each in trial.moves if each.begin > time and each.profile is not None]
-        stays = any(each.end == inf and each.begin < until - found.period for each in rests)
-        is_usual = len(begun) < len(usual) and begun == usual[: len(begun)]
-        if not (is_usual and (stays or trial.is_stuck or trial.has_ended)):
-            return -1
-        after = [line for at, line in _acts(exploration, run) if at > time]
-        same = next(
-            (k for k, pair in enumerate(zip(done, after, strict=False)) if len({*pair}) > 1), len(after)
-        )
-        return 0 if same >= len(done) else [move, *done[:same]][-1]
-
-    settings = world.settings
-    pushed = [
-        one for one in _changes(exploration, settings) if not one.value and is_pushed(names[one.subject])
-    ]
-    released = reduce(lambda made, one: _with(made, one, time), pushed, settings)
-    if pushed and line_behind(released) == -1:
-        settings = released
-    stops, left = list[tuple[Change, int]](), list[Change]()
+    played = _Played(exploration, move, end, cycle.period)
+    settings, most = played.without_start(names), exploration.work + WORK
+    lines, cuts, left = list[tuple[Change, int]](), list[Change](), list[Change]()
     for change in _changes(exploration, world.settings):
-        line = line_behind(_with(settings, change, time)) if exploration.work <= most else None
+        line, is_cut = played.line_behind(settings, change) if exploration.work <= most else (None, False)
+        if is_cut:
+            cuts.append(change)
         if line is None:
             left.append(change)
         elif line >= 0:
-            stops.append((change, line))
-    return Stops(stops, left, move)
+            lines.append((change, line))
+    return Stops(lines, cuts, left, move.line)
+
+
+class _Played:
+    """A cycle of a world, up to `end`, with changes in the middle of one of its moves."""
+
+    def __init__(self, exploration: Exploration, move: LoggedMove, end: float, period: float) -> None:
+        self._exploration, self._move, self._run = exploration, move, exploration.world.run
+        self._period = period
+        duration = 0.0 if move.profile is None else move.profile.duration
+        self._time = move.start_time + min(duration, period) / 2.0
+        self._until = self._time + 2.0 * period + WATCHED
+        log = self._run.machine.log
+        begun = ((each.start_time, each.line) for each in log.moves if each.profile is not None)
+        later = [(time, line) for time, line in begun if time > self._time]
+        # What the machine does as usual: its moves in this cycle and the next one, and all that it does in this one.
+        self._usual = [line for time, line in later if time < end + period]
+        self._done = [line for time, line in _acts(exploration, self._run) if self._time < time < end]
+
+    def without_start(self, names: ReaderNames) -> Mapping[str, object]:
+        """Return the settings in which nobody pushes a start button any more, if the machine goes on so."""
+        settings = self._exploration.world.settings
+        given = dict.fromkeys(number_in("input", each) for each in entries(settings, "input"))
+        pushed = [number for number in given if is_pushed(names[f"input {number}"])]
+        released = reduce(
+            lambda made, number: _released(made, number, self._run, self._time), pushed, settings
+        )
+        goes_on = pushed and self._behind(*self._exploration.play_in(released, self._until)) == -1
+        return released if goes_on else settings
+
+    def line_behind(self, settings: Mapping[str, object], change: Change) -> tuple[int | None, bool]:
+        """Return the line behind which the machine stops by a change, and if the move is cut off.
+
+        The line is 0 at the end of the cycle, -1 if the machine goes on, None if it was not played to the end.
+        """
+        played = self._exploration.play_in(_with(settings, change, self._time), self._until)
+        is_cut = self._move.ended in UNCUT and any(
+            each.line == self._move.line
+            and each.ended not in UNCUT
+            and abs(each.start_time - self._move.start_time) < SHORT
+            for each in played.run.machine.log.moves
+        )
+        return self._behind(*played), is_cut
+
+    def _behind(self, trial: Trial, run: Run, rests: Sequence[Rest]) -> int | None:
+        if not (trial.is_stuck or trial.has_ended or trial.time >= self._until - SHORT):
+            return None
+        begun = [each.line for each in trial.moves if each.begin > self._time and each.profile is not None]
+        stays = any(each.end == inf and each.begin < self._until - self._period for each in rests)
+        is_usual = len(begun) < len(self._usual) and begun == self._usual[: len(begun)]
+        if not (is_usual and (stays or trial.is_stuck or trial.has_ended)):
+            return -1
+        after = [line for time, line in _acts(self._exploration, run) if time > self._time]
+        pairs = enumerate(zip(self._done, after, strict=False))
+        same = next((k for k, pair in pairs if len({*pair}) > 1), len(after))
+        return 0 if same >= len(self._done) else [self._move.line, *self._done[:same]][-1]
 
 
 def _acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
@@ -95,6 +135,14 @@ def _acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
     found += [(each.time, exploration.line(each.at)) for each in log.outputs if each.at >= 0]
     found += [(each.time, exploration.line(each.at)) for each in log.prints if each.at >= 0]
     return sorted(found)
+
+
+def _released(settings: Mapping[str, object], number: int, run: Run, time: float) -> dict[str, object]:
+    """Return settings in which an input is as it was in a run until a time, and then off."""
+    others = [each for each in entries(settings, "input") if each["channel"] != number]
+    levels = [(at, level) for at, channel, level in run.machine.log.inputs if channel == number and at < time]
+    was = [{"channel": number, "at": at, "value": level} for at, level in [*levels, (time, 0)]]
+    return {**settings, "input": [*others, *was]}
 
 
 def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterator[Change]:

@@ -299,6 +299,66 @@ LOOP
   WAIT = 5
 ENDL
 """
+# A guard and faults by number that one sub tells, a flag that is set before the sheet is felt, and a magazine.
+STAPLER = """\
+' IN 0 start  1 guard shut  2 staple formed  3 double sheet  4 reset
+' OUT 0 head  1 red lamp
+Dim told As Integer, twice As Integer, fault As Integer, done As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  If Not INX(1) Then
+    If told = 0 Then Print "guard open"
+    told = 1
+    OUTX(1) = 1
+  Else
+    If told = 1 Then Print "guard shut again"
+    told = 0
+    If fault = 0 Then OUTX(1) = 0
+    If fault > 0 Then
+      If INX(4) Then Clear()
+    ElseIf INX(0) Then
+      Staple()
+    End If
+  End If
+  Wait(10)
+End Loop
+Sub Staple()
+  If INX(3) Then twice = 1 Else twice = 0
+  MOVEA(0) = 20 : GO(0) : Pause IDLE(0)
+  OUTX(0) = 1
+  Wait(200)
+  OUTX(0) = 0
+  If INX(2) Then
+    If twice = 1 Then Fail(3) Else Count()
+  Else
+    Fail(2)
+  End If
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+End Sub
+Sub Count()
+  Print "STAPLED"
+  done = done + 1
+  If done >= 6 Then
+    Print "magazine low"
+    done = 0
+  End If
+End Sub
+Sub Fail(ByVal n As Integer)
+  fault = n
+  OUTX(1) = 1
+  Select Case n
+  Case 2
+    Print "NO STAPLE"
+  Case Else
+    Print "FAULT ", n
+  End Select
+End Sub
+Sub Clear()
+  Print "fault ", fault, " cleared"
+  fault = 0
+  OUTX(1) = 0
+End Sub
+"""
 # Valves that one sub waits for by their number, a lamp that is on without a fault, and a door that stops a run.
 VALVES = """\
 REM IN 0 start  1 jaw shut  2 ram down  3 door shut  4 reset  5 stop
@@ -580,6 +640,26 @@ RETURN
             id="lamp",
         ),
         pytest.param(
+            "a.mnt",
+            STAPLER,
+            [
+                "'guard open' comes by input 1 (guard shut) off, line 6 and `told = 0`, line 7; ends by input 1 "
+                "(guard shut) on",
+                "output 1 (red lamp) comes by input 1 (guard shut) off, line 6; ends by input 1 (guard shut) on",
+                "'magazine low' comes after 6 times line 37",
+                "output 1 (red lamp) comes by input 2 (staple formed) on if `twice = 1` (input 3 (double sheet) on, "
+                "line 23), line 28 or input 2 (staple formed) off, line 28; as it was played, it ends by input 2 "
+                "(staple formed) on, then input 4 (reset) on",
+                "'NO STAPLE' comes by input 2 (staple formed) off, line 28; ends by input 2 (staple formed) on, then "
+                "input 4 (reset) on",
+                "'FAULT' comes by input 2 (staple formed) on if `twice = 1` (input 3 (double sheet) on, line 23), "
+                "line 28; ends by input 3 (double sheet) off, then input 4 (reset) on",
+                "'guard shut again' is printed by input 1 (guard shut) on if `told = 1`, line 6",
+                "'fault ... cleared' is printed by input 4 (reset) on, line 15",
+            ],
+            id="stapler",
+        ),
+        pytest.param(
             "a.prg",
             VALVES,
             [
@@ -673,7 +753,7 @@ def test_alarms_have_the_reasons_of_their_branches_and_all_steps_of_their_reset(
     assert [
         each.strip()
         for each in part.replace("\n      ", " ").splitlines()
-        if " come" in each or "'AIR'" in each
+        if " come" in each or "'AIR'" in each or (text == STAPLER and "is printed" in each)
     ] == lines
 
 

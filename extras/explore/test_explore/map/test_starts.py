@@ -64,6 +64,34 @@ CT10
 MD10,WN1,WN2,1MR10,1WS0.05,OT"JAR OK",CN10,WF1,CF10,RP
 MC10
 """
+# The first cycles fill the machine and are shorter; nobody holds the reset of a fault that does not come.
+FILLED = """\
+' X0 run switch  X1 film in jaws  X2 seal hot  X3 reset
+' Y0 knife
+Dim bags(3) As Integer, fault As Integer, i As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  Pause INX(0)
+  If fault Then
+    Pause INX(3)
+    fault = 0
+  End If
+  MOVER(0) = 20 : GO(0) : Pause IDLE(0)
+  For i = 3 To 2 Step -1
+    bags(i) = bags(i - 1)
+  Next
+  bags(1) = INX(1)
+  If bags(2) Then
+    Wait(600)
+    If Not INX(2) Then fault = 1
+    If fault Then Print "SEAL COLD"
+  End If
+  If bags(3) And fault = 0 Then
+    OUTX(0) = 1 : Wait(200) : OUTX(0) = 0
+    Print "BAG OK"
+  End If
+End Loop
+"""
 
 
 @pytest.mark.parametrize(
@@ -81,6 +109,13 @@ MC10
             BELT,
             "input 1 (jar at stop) on starts the cycle with input 2 (strip present) on",
             id="belt",
+        ),
+        pytest.param(
+            "a.mnt",
+            FILLED,
+            "input 0 (run switch) on starts the cycle with input 1 (film in jaws), input 2 (seal hot) on; played with "
+            "input 3 (reset) on",
+            id="filled",
         ),
         pytest.param(
             "a.mnt",
