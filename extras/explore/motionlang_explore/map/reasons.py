@@ -28,9 +28,10 @@ _COMPARISONS = {
     "<": ("below", ">=", ">", operator.lt), ">": ("above", "<=", "<", operator.gt),
     "<=": ("at most", ">", ">=", operator.le), ">=": ("at least", "<", "<=", operator.ge),
 }  # fmt: skip
-# In the form of a statement: an assignment to a name, a number, a reading of a channel, and a time.
+# In the form of a statement: a number, a reading of a channel, one times a number, and a time.
 _NUMBER = re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*|~\w+)\))?")
+_SCALED = re.compile(r"\(([\d.]+) \* (!?[A-Z]\w*(?:\([\d, ]*\))?)\)")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
 _CASE = re.compile(r"CaseTest None (\S+) ([^\s,()]+)")
 # A comparison of a channel or a register in MCCL, a register that is set, and a wait.
@@ -457,6 +458,8 @@ class Reasons:
             ] or kept
             words = " and ".join(dict.fromkeys(" or ".join(one.words for one in each) for each in kept))
             return [Reason(words, max(one.line for one in kept[0]), best)] if kept else []
+        if sign in ("=", "<>") and right == "0" and _binary(left)[1] in ("And", "Or"):
+            return self._tree(left, (sign == "<>") == side, q, statement)
         if sign == "<>" and "~" in form:
             return []
         left, sign, right = (self._constant(left), sign, self._constant(right)) if sign else (form, "<>", "0")
@@ -507,13 +510,14 @@ class Reasons:
         counts = [each for each in sites if each[1] in one]
         if any(f"~{name}" in value for _, value in sites if (_, value) not in counts):
             return
-        read = (
-            self._uses(value, self._structure.statements[self._structure.points[p].at]) for p, value in sites
-        )
-        uses = next(filter(None, read), [])
-        if uses:
-            yield from (Reason(self._channel(use, sign, right), statement.line, DIRECT) for use in uses)
-            return
+        for p, value in sites:
+            scaled = _SCALED.fullmatch(value)
+            factor, reading = (float(scaled[1]), scaled[2]) if scaled is not None else (1.0, value)
+            uses = self._uses(reading, self._structure.statements[self._structure.points[p].at])
+            if uses and factor > 0.0 and (_is_number(right) or scaled is None):
+                limit = right if scaled is None else f"{float(right) / factor:.6g}"
+                yield from (Reason(self._channel(use, sign, limit), statement.line, DIRECT) for use in uses)
+                return
         for called in filter(None, (CALL.fullmatch(value) for _, value in sites)):
             yield from self._result(called, sign, right, q, statement)
         numbers = [(p, value) for p, value in sites if _is_number(value)]
@@ -536,7 +540,9 @@ class Reasons:
         self._known, self._given = {}, {**given, **{parameter: [value] for parameter, value in bound}}
         sites = self._assignments(name)
         numbers = [(p, value) for p, value in sites if _is_number(value)]
-        made = list(self._set(name, numbers, sign, right, q, statement)) if _is_number(right) else []
+        # What a function returns was set before, wherever it is called.
+        behind = len(self._structure.points)
+        made = list(self._set(name, numbers, sign, right, behind, statement)) if _is_number(right) else []
         if len(sites) == 1 and not numbers and right == "0" and sign in ("=", "<>"):
             # A function that returns a comparison.
             (p, form), own = sites[0], self._structure.statements
@@ -585,13 +591,23 @@ class Reasons:
         is_start = bool(holding) and name not in self._parameters and _holds(0.0, sign, right)
         others = [p for p, holds in holding if not holds]
         ends = {each.words for p in others if p != q for each in self._of(p) if each.rank == DIRECT}
-        if is_start and len(ends) == 1 and not any(holds and p > min(others) for p, holds in holding):
+        later = {
+            p for p, holds in holding if holds and (p > min(others, default=p) or self._is_else(p, others))
+        }
+        if is_start and len(ends) == 1 and not later:
             yield Reason(f"without {min(ends)}", statement.line)
         for p, holds in holding:
-            if holds and not (is_start and not any(other < p < q for other in others)):
+            is_later = p in later and (p < q or self._is_else(p, others))
+            if holds and (is_later or not is_start):
                 yield from (
                     each if is_flag else each._replace(rank=min(each.rank, THROUGH)) for each in self._of(p)
                 )
+
+    def _is_else(self, p: int, others: Sequence[int]) -> bool:
+        """True if a point is on the other side of the branch of one of some."""
+        guards = self._guards[p]
+        opposite = tuple((q, not side) for q, side in guards)
+        return len(guards) == 1 and any(self._guards[each] == opposite for each in others)
 
     def _counted(
         self, count: tuple[int, str], numbers: Sequence[tuple[int, str]], sign: str, right: str

@@ -299,6 +299,54 @@ LOOP
   WAIT = 5
 ENDL
 """
+# A function that returns 1 but for a time, hands that are looked at together, and a gauge that another task scales.
+HANDS = """\
+' IN 0 pedal  1 clamp shut  2 left hand  3 right hand  4 reset
+' OUT 1 clamp
+' AD 0 gauge
+Dim ok As Integer, depth As Float, checked As Integer, right As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Run Gauge
+Loop
+  Pause INX(0)
+  OUTX(1) = 1
+  If Seen(1, 800) = 0 Then
+    Print "FAULT clamp"
+    Pause INX(4)
+  Else
+    ok = 1
+    MOVEA(0) = 20 : GO(0) : Pause IDLE(0)
+    If (INX(2) And INX(3)) = 0 Then ok = 0
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+    checked = 0
+    Pause checked
+    If ok = 0 Then Print "HANDS OFF, SCRAP"
+    If right = 1 Then Print "PART OK" Else Print "REJECT"
+  End If
+  OUTX(1) = 0
+  Pause Not INX(0)
+End Loop
+Task Gauge
+  Loop
+    Pause checked = 0
+    depth = ADC(0) * 0.5
+    If depth > 21 Then right = 0 Else right = 1
+    checked = 1
+  End Loop
+End Task
+Function Seen(channel As Integer, ms As Integer) As Integer
+  Dim t As Integer
+  t = TIME
+  Seen = 1
+  While Not INX(channel)
+    If TIME - t > ms Then
+      Seen = 0
+      Exit Function
+    End If
+    Wait = 10
+  End While
+End Function
+"""
 # A guard and faults by number that one sub tells, a flag that is set before the sheet is felt, and a magazine.
 STAPLER = """\
 ' IN 0 start  1 guard shut  2 staple formed  3 double sheet  4 reset
@@ -641,10 +689,20 @@ RETURN
         ),
         pytest.param(
             "a.mnt",
+            HANDS,
+            [
+                "'FAULT clamp' comes by input 1 (clamp shut) off, line 38 and 0.8 s after line 36; ends by input 4 "
+                "(reset) on",
+                "'HANDS OFF, SCRAP' comes by input 2 (left hand) off, line 16 or input 3 (right hand) off, line 16",
+                "'REJECT' comes by analogue input 0 (gauge) above 42, line 30",
+            ],
+            id="hands",
+        ),
+        pytest.param(
+            "a.mnt",
             STAPLER,
             [
-                "'guard open' comes by input 1 (guard shut) off, line 6 and `told = 0`, line 7; ends by input 1 "
-                "(guard shut) on",
+                "'guard open' comes by input 1 (guard shut) off if `told = 0`, line 6; ends by input 1 (guard shut) on",
                 "output 1 (red lamp) comes by input 1 (guard shut) off, line 6; ends by input 1 (guard shut) on",
                 "'magazine low' comes after 6 times line 37",
                 "output 1 (red lamp) comes by input 2 (staple formed) on if `twice = 1` (input 3 (double sheet) on, "
