@@ -89,6 +89,9 @@ class Reasons:
         self._parameters_of, self._given = parameters_of(structure), given_numbers(structure)
         parameters = self._parameters_of
         self._parameters = {each for names in parameters.values() for each in names}
+        self._entries = sorted({unit.entry for unit in structure.units})
+        self._entry_of = {unit.name.lower(): unit.entry for unit in structure.units}
+        self._names_of = {entry: name for name, entry in self._entry_of.items()}
         # The variables that are the numbers of channels.
         uses = (use for each in structure.statements.values() for use in each.channels)
         self._numbers = {use.alias.lower() for use in uses if use.number == "?"}
@@ -96,11 +99,15 @@ class Reasons:
             statement = self._statement(p)
             if statement is not None and self._first.setdefault(statement.at, p) == p:
                 assigns = ASSIGNS.fullmatch(statement.form)
-                given = [assigns.groups()] if assigns is not None else []
+                given = [(*assigns.groups(), self._unit_of(p))] if assigns is not None else []
                 for called, values in CALL.findall(statement.form):
-                    given += zip(parameters.get(called, ()), values.split(", "), strict=False)
-                for name, value in given:
+                    bound = zip(parameters.get(called, ()), values.split(", "), strict=False)
+                    given += [(name, value, called) for name, value in bound]
+                for name, value, unit in given:
                     self._sites[name].append((p, value))
+                    # A parameter is another variable than one with its name elsewhere.
+                    scope = unit if name in parameters.get(unit, ()) else ""
+                    self._sites[f"{name} of {scope}"].append((p, value))
                 stored, waited = _STORED.fullmatch(statement.form), _WAITED.fullmatch(statement.form)
                 if stored is not None:
                     value = structure.writes[statement.at + len(statement.text) - len(stored[1])]
@@ -114,8 +121,6 @@ class Reasons:
         for p in sorted(self._guards):
             if structure.points[p].calls >= 0:
                 self._calls[structure.points[p].calls].append(p)
-        self._entries = sorted({unit.entry for unit in structure.units})
-        self._entry_of = {unit.name.lower(): unit.entry for unit in structure.units}
         self._known: dict[int, list[Reason]] = {}
         # How many reasons, and functions that are called, lie around the present one.
         self._depth = self._within_calls = 0
@@ -505,7 +510,7 @@ class Reasons:
 
     def _assigned(self, name: str, sign: str, right: str, q: int, statement: Statement) -> Iterator[Reason]:
         """Yield why a variable compares so: why it is assigned, what is counted, or what is read."""
-        sites = self._assignments(name)
+        sites = self._assignments(name, q)
         one = (f"(1 + ~{name})", f"(~{name} - 1)", f"{name} + 1", f"{name} - 1")
         counts = [each for each in sites if each[1] in one]
         if any(f"~{name}" in value for _, value in sites if (_, value) not in counts):
@@ -637,18 +642,27 @@ class Reasons:
             return float(min(given))
         return float(numbers[-1 if "-" in value else 0][1]) if numbers else 0.0
 
-    def _assignments(self, name: str) -> list[tuple[int, str]]:
-        """Return where which value is assigned to a name; for a parameter, where it is given.
+    def _assignments(self, name: str, q: int = -1) -> list[tuple[int, str]]:
+        """Return where which value is assigned to a name, as a point knows it; for a parameter, where it is given.
 
         Each number of a variable that is assigned is one.
         """
+        scope = ""
+        if q >= 0 and name in self._parameters:
+            unit = self._unit_of(q)
+            scope = f" of {unit if name in self._parameters_of.get(unit, ()) else ''}"
         found = list[tuple[int, str]]()
-        for p, value in self._sites.get(name, [])[:MAX_SITES]:
+        for p, value in self._sites.get(f"{name}{scope}", [])[:MAX_SITES]:
             if value[1:] in self._parameters:
                 found += self._sites.get(value[1:], [])[:MAX_SITES]
             else:
                 found += [(p, each) for each in self._given.get(value[1:], [value])]
         return found
+
+    def _unit_of(self, p: int) -> str:
+        """Return the name of the unit of a point, in small letters."""
+        k = bisect_right(self._entries, p)
+        return self._names_of[self._entries[k - 1]] if k else ""
 
     def _constant(self, form: str) -> str:
         """Return the only number that is assigned to a name, or given to it, or the form itself."""
