@@ -33,7 +33,7 @@ _TEXT = re.compile(r'"([^"]*)"')
 _AFTER = re.compile(r"[\d.]+ s ")
 # What holds where there is no alarm, as (fault = 0).
 _IS_NONE = re.compile(r"= 0\)?$|^not ", re.IGNORECASE)
-_NAME, _CLOCK = re.compile(r"[A-Za-z_]\w*"), re.compile(r"\bTIME\b")
+_NAME = re.compile(r"[A-Za-z_]\w*")
 
 
 @dataclass(eq=False, slots=True)
@@ -58,7 +58,7 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         if node.state is not None and all(each.causes for each in node.transitions)
         for place in node.state
         for at in place.statements
-        if reasons.waits(at) and not _CLOCK.search(structure.statements[at].form)
+        if reasons.waits(at) and not reasons.has_clock(at)
     }
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
 

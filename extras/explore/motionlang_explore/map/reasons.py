@@ -33,6 +33,7 @@ _NUMBER = re.compile(r"-?[\d.]+")
 _READING = re.compile(r"!?([A-Z]\w*)(?:\(([\d, ]*|~\w+)\))?")
 _SCALED = re.compile(r"\(([\d.]+) \* (!?[A-Z]\w*(?:\([\d, ]*\))?)\)")
 _CLOCK = re.compile(r"\(TIME - ~(\w+)\)|~(\w+)|TIME")
+_STARTED = re.compile(r"~(\w+) TypeName ~time (\d+)")
 _CASE = re.compile(r"CaseTest None (\S+) ([^\s,()]+)")
 # A comparison of a channel or a register in MCCL, a register that is set, and a wait.
 _STORED, _WAITED = re.compile(r"0AR '(\d+)'"), re.compile(r"0WA '([\d.]+)'")
@@ -100,6 +101,7 @@ class Reasons:
             if statement is not None and self._first.setdefault(statement.at, p) == p:
                 assigns = ASSIGNS.fullmatch(statement.form)
                 given = [(*assigns.groups(), self._unit_of(p))] if assigns is not None else []
+                given += [(*clock, self._unit_of(p)) for clock in _STARTED.findall(statement.form)]
                 for called, values in CALL.findall(statement.form):
                     bound = zip(parameters.get(called, ()), values.split(", "), strict=False)
                     given += [(name, value, called) for name, value in bound]
@@ -211,6 +213,11 @@ class Reasons:
         is_loop = at in self._loops and bool(_condition(statement))
         return bool(statement.condition) and (bool(statement.waits) or is_loop)
 
+    def has_clock(self, at: int) -> bool:
+        """True if a statement reads the time, or a variable that counts it."""
+        form = self._structure.statements[at].form
+        return "TIME" in _TOKEN.findall(form) or not self._clocks.isdisjoint(re.findall(r"~(\w+)", form))
+
     def of(self, at: int) -> list[Reason]:
         """Return why the program comes to a statement; none if it always does."""
         return self._of(self._first[at])
@@ -224,9 +231,14 @@ class Reasons:
     def values(self, name: str, at: int) -> dict[str, list[Reason]]:
         """Return the numbers but 0 that the program gives a variable, with the reasons of each, for a statement."""
         found: dict[str, list[Reason]] = defaultdict(list)
-        passed = {name.lower(), *(value[1:] for _, value in self._sites.get(name.lower(), []))}
-        for p, number in self._assignments(name.lower()):
-            if number.isdecimal() and number != "0" and self._allows(self._first[at], name.lower(), number):
+        sites = self._sites.get(name.lower(), [])
+        passed = {name.lower(), *(value[1:] for _, value in sites if value.startswith("~"))}
+        assigned = [
+            each for each in self._assignments(name.lower()) if each[1].isdecimal() and each[1] != "0"
+        ]
+        tests = list(self._tests_around(self._first[at], name.lower())) if assigned else []
+        for p, number in assigned:
+            if all(_holds(number, sign, right) == side for sign, right, side in tests):
                 known, own = self._of(p), f"{self._names[f'input {number}']} "
                 # Of what is found of several channels that of the one with the number counts.
                 made = (*known, *self.of(at)) if passed & self._numbers else ()
@@ -234,16 +246,15 @@ class Reasons:
                 found[number] += mine or known
         return dict(sorted(found.items()))
 
-    def _allows(self, p: int, name: str, number: str) -> bool:
-        """True if no branch around a point compares a variable with another number than some."""
+    def _tests_around(self, p: int, name: str) -> Iterator[tuple[str, str, bool]]:
+        """Yield the comparisons of a variable with numbers in the branches around a point, and their sides."""
         for q, side in self._blocks(p, MAX_SITES):
             statement = self._statement(q)
             left, sign, right = _binary(_condition(statement)) if statement is not None else ("", "", "")
             if _is_number(left):
                 left, sign, right = right, _COMPARISONS[sign][2], left
-            if left == f"~{name}" and _is_number(right) and _holds(number, sign, right) != side:
-                return False
-        return True
+            if left == f"~{name}" and _is_number(right):
+                yield sign, right, side
 
     def _blocks(self, p: int, most: int = MAX_DEPTH) -> Iterator[Guard]:
         """Yield the sides of the branches around a point, from the inside, while each is the only guard."""
@@ -329,12 +340,14 @@ class Reasons:
         """Return the channels of the branches around a test of a variable that was set when these were otherwise."""
         if not made or not self._tested(((q, True),))[0]:
             return []
-        around = (
-            each for guard in self._blocks(q) if not self._is_loop(guard[0]) for each in self._test(*guard)
-        )
+        found = list[Reason]()
+        for outer, side in self._blocks(q):
+            statement = self._statement(outer)
+            if statement is not None and statement.channels and not self._is_loop(outer):
+                found += self._test(outer, side)
         return [
             each
-            for each in around
+            for each in found
             if each.rank == DIRECT and all(_opposite(each.words) in one.words for one in made)
         ]
 
@@ -523,14 +536,16 @@ class Reasons:
                 limit = right if scaled is None else f"{float(right) / factor:.6g}"
                 yield from (Reason(self._channel(use, sign, limit), statement.line, DIRECT) for use in uses)
                 return
-        for called in filter(None, (CALL.fullmatch(value) for _, value in sites)):
+        calls = [(p, called) for p, value in sites if (called := CALL.fullmatch(value)) is not None]
+        before = [called for p, called in calls if p < q and self._unit_of(p) == self._unit_of(q)]
+        for called in before or [called for _, called in calls]:
             yield from self._result(called, sign, right, q, statement)
         numbers = [(p, value) for p, value in sites if _is_number(value)]
         if _is_number(right):
             yield from self._set(name, numbers, sign, right, q, statement)
-        before = [each for each in counts if each[0] < q][-1:] or counts[:1]
-        if before and sign[0] in ("<=" if "-" in before[0][1] else ">="):
-            yield from self._counted(before[0], numbers, sign, right)
+        nearest = [each for each in counts if each[0] < q][-1:] or counts[:1]
+        if nearest and sign[0] in ("<=" if "-" in nearest[0][1] else ">="):
+            yield from self._counted(nearest[0], numbers, sign, right)
 
     def _result(
         self, called: re.Match[str], sign: str, right: str, q: int, statement: Statement
@@ -556,8 +571,8 @@ class Reasons:
         times = {
             each.words
             for p in self._within_unit(name)
-            if self._is_loop(p) and (loop := self._statement(p)) is not None
-            for each in self._tree(_condition(loop), False, p, loop)
+            if (wait := self._statement(p)) is not None and (self._is_loop(p) or self.waits(wait.at))
+            for each in self._tree(_condition(wait), bool(wait.waits), p, wait)
             if _TIME.match(each.words)
         }
         self._known, self._given = known, given
