@@ -79,7 +79,7 @@ _FIRST = (
     rf"(?:(?:{'|'.join(_WORDS.values())})\s+(?=[a-z]{{1,3}}\d))??"
 )
 _LATER = f"(?!{_SENSORS}|{_ACTUATORS}|{_DRIVES})"
-# A number without either, unless it is the end of a name before a gap.
+# Before a gap a number without a word or a mark is the end of a name, as in "cup at place 1".
 _LAST = r"(?(starts)|(?!\d+\s\s))"
 # A number behind a word, a mark or neither, with the sign and the letter behind it: "IN 0 -", "OUT(0) =", "#4".
 _ITEM = re.compile(

@@ -274,15 +274,16 @@ class _Stretch:
         self.is_known = True
 
     def loop(self, end: float) -> frozenset[int]:
-        """Return the statements that repeat, none if they do not for another pass until a time.
-
-        A long first pass that did something else as well is no part of the loop.
-        """
+        """Return the statements that repeat, none if they do not for another pass until a time."""
         if not self.is_known or end - self.begin < 1.5 * self._pass:
             return frozenset()
-        if any(count == 1 and at in self.body for at, count in self.counts.items()):
-            self.begin = max(self.begin, self._long_pass)
         return frozenset(at for at in self.body if self.counts[at] > 1)
+
+    @property
+    def since(self) -> float:
+        """When the loop begins: behind a long first pass, if that did something else as well."""
+        is_other = any(self.counts[at] == 1 for at in self.body)
+        return max(self.begin, self._long_pass) if is_other else self.begin
 
 
 def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
@@ -298,12 +299,10 @@ def _loops(trial: Trial, moves: _Motions) -> Iterator[_Stay]:
         ends = [*(each.first for each in stretches[1:]), statements[-1].time if trial.has_ended else inf]
         for stretch, end in zip(stretches, ends, strict=True):
             known = min(end, trial.time)
-            loop = stretch.loop(known)
-            begin = moves.at_rest(stretch.begin, known)
+            loop, since = stretch.loop(known), stretch.since
+            begin = moves.at_rest(since, known)
             if loop and known - begin >= SHORTEST_REST:
-                yield _Stay(
-                    stretch.begin, begin, end, TaskRest(name, loop, _without_repeats(stretch.callers))
-                )
+                yield _Stay(since, begin, end, TaskRest(name, loop, _without_repeats(stretch.callers)))
 
 
 def _stretches(

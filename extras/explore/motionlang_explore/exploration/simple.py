@@ -342,7 +342,9 @@ def _climbed(
                     return best
                 run = _tried(explorer, settings, least)
                 # What says what is wrong comes no further than what has begun to work, and does not say so.
-                is_right = run.is_good or run.faults <= best.faults or best.times < ENOUGH or best.faults
+                is_right = (
+                    run.is_good or run.faults <= best.faults or best.times < ENOUGH or best.faults > 0.0
+                )
                 if run.value > best.value and is_right:
                     best = run
             if best.value > before + HALF:
@@ -400,7 +402,10 @@ def _channels(explorer: Explorer) -> list[Channel]:
 
 def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     """Return a run in a world with its worth; it works if it does something at least so often, or ends."""
-    is_known = partial(_is_known, explorer)
+
+    def is_known(run: Run) -> bool:
+        return _stands(run) or _only_says_wrong(*_acts(explorer, run))
+
     run, begun, read = explorer.trials.run_in(settings, STANDS, LENGTH, stands=is_known)
     begun -= explorer.handlers
     right, faults = _acts(explorer, run)
@@ -416,7 +421,9 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
-    is_over = run.status == "until" and run.time < (STANDS if is_known(run) else LENGTH)
+    is_over = run.status == "until" and run.time < (
+        STANDS if is_stuck or _only_says_wrong(right, faults) else LENGTH
+    )
     statements = explorer.program.structure.statements.values()
     is_motionless = not any(each.moves for each in statements)
     works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
@@ -446,11 +453,9 @@ def _stands(run: Run) -> bool:
     return 2 * last < run.time and not pauses
 
 
-def _is_known(explorer: Explorer, run: Run) -> bool:
-    """True if a run stands, or says again and again what is wrong, and nothing that is right."""
-    right, faults = _acts(explorer, run)
-    says_wrong = max(faults.values(), default=0) >= ENOUGH and not any(kind == SAID for kind, _ in right)
-    return says_wrong or _stands(run)
+def _only_says_wrong(right: Counter[tuple[str, object]], faults: Counter[str]) -> bool:
+    """True if a run says again and again what is wrong, and nothing that is right."""
+    return max(faults.values(), default=0) >= ENOUGH and not any(kind == SAID for kind, _ in right)
 
 
 def _listed(settings: Settings) -> set[Channel]:

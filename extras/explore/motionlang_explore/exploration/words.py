@@ -22,7 +22,7 @@ def _words(**languages: str) -> re.Pattern[str]:
 
 
 # In the name of an input: what resets a fault, what a person pushes, what is on in a good machine, what is there in a
-# bad one, what is seen, and what is on while its output is off.
+# bad one, what a machine runs by, what sees a part, and what is on while its output is off.
 RESET = _words(
     en=r"reset",
     de=r"quit|entst(?:oe|ö)r",
@@ -62,17 +62,14 @@ _RUN = _words(
     en=r"\brun(?:ning)?\b(?! out)",
     de=r"\bbetrieb",
     fr=r"\bmarche\b",
-    es=r"\bmarcha\b",
-    it=r"\bmarcia\b",
     nl=r"bedrijf",
 )
 _SEEN = _words(
     en=r"\bseen\b|sensor|detect|\beye\b",
     de=r"erkannt",
     fr=r"d[ée]tect|capteur",
-    es=r"detect",
-    it=r"rileva|sensore",
-    nl=r"gezien|sensor",
+    it=r"rileva",
+    nl=r"gezien",
 )
 BACK = _words(
     en=r"\bup\b(?! to)|home|\bback|open|retract|releas|raised",

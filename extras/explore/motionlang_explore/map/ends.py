@@ -130,20 +130,23 @@ class Ends:
         Nobody holds a reset, unless the alarm does not come or stay so.
         """
         cycle, own = self._exploration.world.cycle, {one.number for one in led.causes if one.table == "input"}
-        for visit in (*([cycle.visit] if led.causes else ()), led.visit):
-            released = self._resets(n for n, level in visit.levels.items() if level and n not in own)
-            for changes in dict.fromkeys(((*led.causes, *released), led.causes)):
-                start = self._play(visit.changed(changes), visit.change_time)
-                if alarm.has_come(start.played):
-                    break
-            else:
-                continue
-            break
+        visits = (*([cycle.visit] if led.causes else ()), led.visit)
+        begins = (
+            self._play(visit.changed(changes), visit.change_time)
+            for visit in visits
+            for changes in dict.fromkeys(((*led.causes, *self._held(visit, own)), led.causes))
+        )
+        come = (each for each in begins if alarm.has_come(each.played))
+        start = next(come, None) or self._play(led.visit.changed(led.causes), led.visit.change_time)
         alarm.shows(start.played, self._names)
         now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
         held = self._resets(n for (table, n), level in now.items() if table == "input" and level)
         later = self._changed(start, held)
         return start if alarm.is_over(later.played) else later
+
+    def _held(self, visit: Visit, own: Collection[int]) -> Step:
+        """Return the changes that release the resets that are on at a visit, but for some inputs."""
+        return self._resets(n for n, level in visit.levels.items() if level and n not in own)
 
     def _resets(self, numbers: Iterable[int]) -> Step:
         """Return the changes that release those of some inputs that reset."""

@@ -110,8 +110,9 @@ def _needed(
     said = _said(exploration, usual).intersection(() if cycle is None else cycle.lines)
     needed: dict[Change, bool] = {}
     resets = {change for change, _ in channels if change.table == "input" and is_reset(names[change.subject])}
-    first = [each for each in channels if each[0] in resets or _is_given(each[0], names)]
-    for change, own in [*first, *(each for each in channels if each not in first)]:
+    for change, own in sorted(
+        channels, key=lambda each: not (each[0] in resets or _is_given(each[0], names))
+    ):
         if exploration.work >= most:
             break
         without = {
