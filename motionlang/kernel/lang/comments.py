@@ -36,13 +36,13 @@ from motionlang.kernel.source import Source
 _SENSORS = "sensors|switches|buttons|contacts|reeds"
 _ACTUATORS = "valves|solenoids|cylinders|lamps|lights"
 _DRIVES = "motors?|drives?|servos?"
-# E, A and S begin a list in brackets, or before a number or a colon.
-_ALONE = r"(?:(?<=[(\[])|(?=.[\d:]))"
+# E, A and S begin a list in brackets, or before a number or a colon; as capitals also before a blank and a number.
+_ALONE = r"(?:(?<=[(\[])|(?=.[\d:])|(?-i:(?=[EAS] \d)))"
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
     "input": r"d?i|x(?=\d)|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
     rf"|{_ALONE}e|eing(?:ang|änge)?|ent(?:r(?:[ée]es?|adas?)?)?|ing(?:r(?:ess[oi])?|ang(?:en)?)?|{_SENSORS}",
-    "output": r"d?[oq]|[uy](?=\d)|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
+    "output": r"d?[oq]|[uy](?=\d)|ot|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
     rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|usc(?:it[ae])?|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|can(?=[ .]?\d)|kanaa?l|canale?|voies?|d?i/o|dio",
     "analogue input": rf"a/?dc?|ai|ai?n|ana|{_ALONE}a|anal[oó]gic[ao]s?|analog(?:ue)?(?: in(?:put)?s?)?"
