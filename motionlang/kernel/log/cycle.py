@@ -26,7 +26,8 @@ itself.
 
 A piece has what comes once in it. A shorter repetition with a print of its own is a piece, and what is longer holds
 several. A print that comes once in up to eight repetitions makes them one. Without prints, the repetitions are one
-whose targets come again, or advance by a constant: the moves of a table on one line.
+whose targets come again, or advance by a constant: the moves of a table on one line. Where the task that moves most
+rests between its repetitions, another one may order its steps: if that prints once in a cycle, its cycle is the piece.
 
 Invariants. Nothing depends on the order of a hash: keys are numbered in the order of the log. A cycle has a move that
 is no homing. The times of its name are those that `cycle(…)` of a quantity has.
@@ -39,8 +40,8 @@ from __future__ import annotations
 
 import re
 from array import array
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import fsum, isinf
@@ -165,6 +166,11 @@ class _Repetition:
     is_regular: bool
     turns: int = 1
 
+    @property
+    def is_interrupted(self) -> bool:
+        """True if it rests for more than a tenth of the time, as steps do that are made for another task."""
+        return self.blocks * median(_gaps(self.times)) < MIN_TIME * (self.times[-1] - self.times[0])
+
 
 def cycle(
     log: Log,
@@ -180,19 +186,29 @@ def cycle(
     `homes` is true for the commands that home an axis.
     """
     seen = _Seen(owner, line_of, homes)
-    moves = seen.moves(log)
-    task = max(moves, key=lambda each: seen.work(moves[each]), default="")
-    if not moves or seen.work(moves[task]) < MIN_OCCURRENCES:
+    moves, outputs, prints = seen.moves(log), seen.outputs(log), seen.prints(log)
+    found = list[tuple[_Sequence, _Repetition]]()
+    for task in sorted(moves, key=lambda each: seen.work(moves[each]), reverse=True):
+        if seen.work(moves[task]) >= MIN_OCCURRENCES:
+            events = moves[task].merged(outputs[task]).merged(prints[task])
+            found += _repeated(_Sequence(events, seen.keys, end))
+    if not found:
         return None
-    events = moves[task].merged(seen.outputs(log, task)).merged(seen.prints(log, task))
-    sequence = _Sequence(events, seen.keys, end)
+    others = (each for each in found if found[0][1].is_interrupted and each[0].prints(each[1]))
+    sequence, best = next(others, found[0])
+    return sequence.described(best, seen, has_ended)
+
+
+def _repeated(sequence: _Sequence) -> Iterator[tuple[_Sequence, _Repetition]]:
+    """Yield the cycle of a sequence, or of the one without details, which may cover more."""
     found = sequence.cycle()
     if found is None or sequence.share(found) < MIN_TIME:
         coarse = sequence.without_details()
         other = coarse.cycle()
         if other is not None and (found is None or sequence.share(found) < MIN_TIME * coarse.share(other)):
             sequence, found = coarse, other
-    return None if found is None else sequence.described(found, seen, has_ended)
+    if found is not None:
+        yield sequence, found
 
 
 def cycle_so_far(
@@ -307,10 +323,10 @@ class _Seen:
             )
         return found
 
-    def outputs(self, log: Log, task: str) -> _Events:
-        """Return the outputs that a task switches."""
-        digital, analogue = _Events(), _Events()
-        known: dict[tuple[object, ...], int | None] = {}
+    def outputs(self, log: Log) -> Mapping[str, _Events]:
+        """Return the outputs that each task switches."""
+        digital, analogue = defaultdict[str, _Events](_Events), defaultdict[str, _Events](_Events)
+        known: dict[tuple[object, ...], tuple[str, int] | None] = {}
         for stream, made in ((log.outputs, digital), (log.analogue_outputs, analogue)):
             is_digital = made is digital
             for time, channel, value, at, chain in stream:
@@ -319,31 +335,33 @@ class _Seen:
                 fields = is_digital, channel, value if is_digital else None, at, chain
                 if fields not in known:
                     line = self._line_of(at) if at >= 0 else 0
-                    mine = at >= 0 and self._task(line, log.callers[chain]) == task
+                    task = self._task(line, log.callers[chain]) if at >= 0 else None
                     key = _Key(OUTPUT, fields[:3], (line,), (), (log.callers[chain],))
-                    known[fields] = self._number(key) if mine else None
-                number = known[fields]
-                if number is not None:
-                    made.add(time, number)
-        return digital.merged(analogue)
+                    known[fields] = None if task is None else (task, self._number(key))
+                if (found := known[fields]) is not None:
+                    made[found[0]].add(time, found[1])
+        for task, events in analogue.items():
+            digital[task] = digital[task].merged(events)
+        return digital
 
-    def prints(self, log: Log, task: str) -> _Events:
-        """Return the lines that a task prints."""
-        made = _Events()
-        lines: dict[tuple[int, int], int] = {}
+    def prints(self, log: Log) -> Mapping[str, _Events]:
+        """Return the lines that each task prints."""
+        made = defaultdict[str, _Events](_Events)
+        lines: dict[tuple[int, int], tuple[str | None, int]] = {}
         known: dict[tuple[int, int, str], int] = {}
         for time, text, at, chain in log.prints:
             self.texts[_FIGURE.sub("\0", text)] += 1
             place = at, chain
             if place not in lines:
                 line = self._line_of(at) if at >= 0 else 0
-                lines[place] = line if at >= 0 and self._task(line, log.callers[chain]) == task else 0
-            if lines[place]:
+                lines[place] = (self._task(line, log.callers[chain]) if at >= 0 else None), line
+            task, line = lines[place]
+            if task is not None and line:
                 words = at, chain, _FIGURE.split(text, maxsplit=1)[0].strip()
                 if words not in known:
                     detail = words[2], log.callers[chain]
-                    known[words] = self._number(_Key(PRINT, (), (lines[place],), (), detail))
-                made.add(time, known[words])
+                    known[words] = self._number(_Key(PRINT, (), (line,), (), detail))
+                made[task].add(time, known[words])
         return made
 
     def name(self, key: _Key, count: int) -> str:
@@ -410,7 +428,7 @@ class _Sequence:
         """True if what a shorter repetition leaves out is no more than an interruption."""
         rare, keys = REGULAR if long.is_regular else IRREGULAR
         least = rare * long.blocks
-        if self._prints(short):
+        if self.prints(short):
             least = long.blocks
         elif long.is_regular:
             left = [self.counts[k] for k in long.typical - short.typical if self.keys[k].kind == PRINT]
@@ -421,7 +439,7 @@ class _Sequence:
             short.covered >= MIN_TIME * long.covered
             and short.blocks > least
             and any(a > keys * b for a, b in zip(one, all_, strict=True))
-            and (self._prints(short) or len(axes) > MIN_AXES * len(all_axes))
+            and (self.prints(short) or len(axes) > MIN_AXES * len(all_axes))
         )
 
     def _has_fixed_targets(self, found: _Repetition) -> bool:
@@ -436,12 +454,13 @@ class _Sequence:
     def _moves(self, found: _Repetition) -> int:
         return sum(bool(self.keys[k].axes) for k in found.typical)
 
-    def _prints(self, found: _Repetition) -> bool:
+    def prints(self, found: _Repetition) -> bool:
+        """True if a repetition prints something once, which makes it a piece."""
         return any(self.keys[k].kind == PRINT for k in found.once)
 
     def _whole_turns(self, found: _Repetition) -> _Repetition:
         """Return a repetition, or as many as have the same targets again, or targets that advance by a constant."""
-        if self._prints(found) or self._has_fixed_targets(found):
+        if self.prints(found) or self._has_fixed_targets(found):
             return found
         blocks: list[dict[int, list[float]]] = []
         for number, target in zip(self.numbers, self.targets, strict=True):
