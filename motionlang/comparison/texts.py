@@ -18,8 +18,8 @@ def plain(text: str) -> str:
 
 
 def without_figures(text: str) -> str:
-    """Return a printed line with a mark for each of its figures, which differ from run to run."""
-    return _FIGURE.sub("#", text)
+    """Return a printed line with a mark for each of its figures, which differ, and are padded, from run to run."""
+    return " ".join(_FIGURE.sub("#", text).split())
 
 
 class AnyMove(Protocol):

@@ -75,9 +75,7 @@ def acts_of(run: Run, tasks: Tasks) -> dict[str, list[OrderedAct]]:
     happened += [
         (each.time, 1, each.at, f"{each.target} = {each.value:.6g}") for each in log.writes if each.is_output
     ]
-    happened += [
-        (each.time, 2, each.at, repr(" ".join(without_figures(each.text).split()))) for each in log.prints
-    ]
+    happened += [(each.time, 2, each.at, repr(without_figures(each.text))) for each in log.prints]
     for time, kind, at, text in happened:
         if at not in lines:
             lines[at] = run.dialect.locate(run.source, at)[0]

@@ -78,7 +78,7 @@ def _without_times(played: PlayedWay) -> PlayedWay:
 def _timeless(act: ComparedAct) -> ComparedAct:
     if act.exact:
         return act._replace(speed=0.0, target=None if act.is_cut else act.target)
-    return act if act.subject else act._replace(words=" ".join(without_figures(act.words).split()))
+    return act if act.subject else act._replace(words=without_figures(act.words))
 
 
 def played_ways(
