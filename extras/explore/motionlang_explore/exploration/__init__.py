@@ -88,7 +88,7 @@ from motionlang_explore.exploration.trials import (
     Trial,
     asks,
 )
-from motionlang_explore.exploration.values import is_probe
+from motionlang_explore.exploration.values import is_probe, levels
 from motionlang_explore.exploration.words import is_pushed, is_reset, is_run, is_wrong, names_alarm
 from motionlang_explore.exploration.world import FoundWorld
 from motionlang_explore.identification import Entry
@@ -135,6 +135,7 @@ __all__ = [
     "is_run",
     "is_wrong",
     "keys_of",
+    "levels",
     "lines_of",
     "made_by",
     "names_alarm",

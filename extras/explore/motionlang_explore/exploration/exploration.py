@@ -14,6 +14,8 @@ from motionlang_explore.exploration.changes import (
     Change,
     Channel,
     Timeline,
+    entries,
+    number_in,
     tables_of,
 )
 from motionlang_explore.exploration.cycles import MachineCycle, cycles
@@ -83,6 +85,12 @@ class Exploration:
         vars(self).update(state)
         run_in = self._explorer.trials.run_in
         self.world = self.world._replace(run=run_in(self.world.settings, self.world.run)[0])  # type: ignore[arg-type]
+
+    @property
+    def inputs(self) -> list[int]:
+        """The inputs that the program has read, or that have a rule in the world."""
+        given = (number_in("input", each) for each in entries(self.world.settings, "input"))
+        return sorted({*self.channels, *given})
 
     @property
     def begun(self) -> frozenset[int]:

@@ -79,8 +79,10 @@ COUNTED: Entry = {"at": 0.02, "for": 0.02, "every": 0.04}
 MARKS, LENGTHS, ALL = 7, 3, 1000
 # So many rules of each channel are tried first, then of pairs, and then the rest of each channel.
 FIRST, PAIRS, REST = 8, 1, 2
-# Levels and numbers that are tried.
-USUAL, ABOVE, NUMBERS = 50.0, 100.0, (1, 2, 3, 10, 100)
+# The tables of the numbers that a host writes.
+HOSTS = ("comms", "netdata")
+# Levels and numbers that are tried, and the number of a lot, which is first, as of one there is no next piece.
+USUAL, ABOVE, NUMBERS, LOT = 50.0, 100.0, (1, 2, 3, 100), 10
 
 Settings = Mapping[str, object]
 
@@ -122,6 +124,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         first = _within_limits(explorer, channels, first, least)
     if first.is_good:
         listed = [each for each in channels if each in _listed(first.settings)]
+        listed += _unwritten(channels, first)
         first = _climbed(explorer, listed, first, least, inf, GOOD)
         given = {number_in("input", each) for each in entries(first.settings, "input")}
         off = [
@@ -157,6 +160,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     is_better = best.is_good > first.is_good or best.value >= first.value + MORE
     if best is first or best.is_good < first.is_good or not is_better:
         return found
+    best = _climbed(explorer, _unwritten(channels, best), best, least, inf, GOOD)
     best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
     return world._replace(settings=best.settings, run=best.run)
 
@@ -220,6 +224,12 @@ def _right_branch(explorer: Explorer, off: Sequence[Channel], first: Tried, leas
     return max(found, key=lambda each: each.value)
 
 
+def _unwritten(channels: Sequence[Channel], first: Tried) -> list[Channel]:
+    """Return the numbers of a host that a run reads, and nobody writes, such as the size of a lot."""
+    known = {(table, number_in(table, each)) for table in HOSTS for each in entries(first.settings, table)}
+    return [each for each in channels if each[0] in HOSTS and each in first.read and each not in known]
+
+
 def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
     """Return a run with inputs never or always on where it only says less then, but something, or goes further.
 
@@ -230,13 +240,14 @@ def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
     for some, rule in product(several, ({}, {**ON})):
         settings = reduce(partial(_with, rule=rule), some, first.settings)
         less = _tried(explorer, settings, least) if explorer.has_work else first
-        left = _acts(explorer, less.run)[0].keys()
-        lost = _acts(explorer, first.run)[0].keys() - left
-        only_says = less.times >= first.times and {kind for kind, _ in lost} == {SAID} <= {
+        usual, left = (_acts(explorer, each.run)[0].keys() for each in (first, less))
+        only_says = less.times >= first.times and {kind for kind, _ in usual - left} == {SAID} <= {
             kind for kind, _ in left
         }
         goes_further = less.value > first.value and _judges(explorer, first, less)
-        if less.is_good and (only_says or goes_further):
+        is_needless = not rule and usual <= left and first.read.keys() >= {*some}
+        is_needless &= less.times > first.times or (less.times == first.times and left == usual)
+        if less.is_good and (only_says or goes_further or is_needless):
             first = less
     return first
 
@@ -345,7 +356,7 @@ def _climbed(
                 is_right = (
                     run.is_good or run.faults <= best.faults or best.times < ENOUGH or best.faults > 0.0
                 )
-                if run.value > best.value and is_right:
+                if (run.value, run.is_good) > (best.value, best.is_good) and is_right:
                     best = run
             if best.value > before + HALF:
                 break
@@ -518,6 +529,10 @@ def fault_of(explorer: Explorer, run: Run) -> str:
             and not (each.ended or homes(each.command))
         )
         times = max([times, often[SAID], *same.values()])
+    # What a machine says is right overrules the name of an output.
+    praised = {key: count for key, count in right.items() if key[0] == SAID and is_right(str(key[1]))}
+    if not said and faults.total() <= Counter(praised).total():
+        faults.clear()
     # A lamp and a text of one trouble are one.
     count = faults.total() if is_named else max(faults.values(), default=0)
     if count > HALF * (often[SAID] if is_named else times):
@@ -691,7 +706,7 @@ def _values(explorer: Explorer, channel: Channel, best: Tried) -> list[Any]:
         read = (each.value for each in compared if each.channel == channel)
         return sorted({*map(float, (*solved, *read, *explorer.levels[channel])), USUAL})
     is_real = channel[0] != "netdata" or any(isinstance(each, float) for each in solved)
-    return list(dict.fromkeys((float if is_real else int)(each) for each in (*solved, *NUMBERS)))
+    return list(dict.fromkeys((float if is_real else int)(each) for each in (LOT, *solved, *NUMBERS)))
 
 
 class Way(NamedTuple):

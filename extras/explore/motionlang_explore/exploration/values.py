@@ -78,7 +78,7 @@ def solved(probe: Change, trial: Trial) -> list[Change]:
     changes = [change for value in found if (change := _change(probe, value)) is not None]
     changes += [probe._replace(value=text) for text in _words(probe, trial)]
     if found or probe.table == "key":
-        typed = (TYPED,) if ord(ENTER) in found else ()
+        typed = (TYPED,) if probe.table == "key" and ord(ENTER) in found else ()
         changes += [probe._replace(value=each) for each in (*typed, *USUAL.get(probe.table, ()))]
     return list(dict.fromkeys(changes))[:MAX_VALUES]
 

@@ -267,6 +267,38 @@ Loop
   End If
 End Loop
 """
+# What a machine says is good overrules the name of an output.
+SUCTION = f"""\
+{RATES}
+' IN 0 start
+' OUT 3 scrap suction
+Loop
+  Pause INX(0)
+  MOVER(0) = 25 : GO(0) : Pause IDLE(0)
+  If ADC(0) > 38 And ADC(0) < 46 Then
+    Print "good cleave"
+    OUTX(3) = _ON : Wait(250) : OUTX(3) = _OFF
+  Else
+    Print "fibre refused"
+  End If
+End Loop
+"""
+# An input that ends a slab early leaves less to cut; 13 is the code of Enter, and also a level below 15.
+SLAB = f"""\
+{RATES}
+' IN 0 start  1 end of slab
+Loop
+  Pause INX(0) And ADC(0) > 15
+  MOVEA(0) = 50 : GO(0) : Pause IDLE(0)
+  For i = 1 To 8
+    MOVER(0) = 5 : GO(0) : Pause IDLE(0)
+    Print "bar cut"
+    If INX(1) Then Exit For
+  Next
+  Print "slab done"
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+End Loop
+"""
 
 
 @pytest.mark.parametrize(
@@ -284,6 +316,8 @@ End Loop
         pytest.param(GREETING, "cell passed", "nothing", id="greeting"),
         pytest.param(COUNTED, " pushed off", "remelted", id="counted"),
         pytest.param(BATCH, "Board slotted", "Batch given up", id="batch"),
+        pytest.param(SUCTION, "good cleave", "refused", id="suction"),
+        pytest.param(SLAB, "bar cut", "bar cut\nslab done\nbar cut\nslab done", id="slab"),
     ],
 )
 def test_a_world_with_good_pieces(cell: Cell, text: str, good: str, bad: str) -> None:
