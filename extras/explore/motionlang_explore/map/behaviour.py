@@ -40,7 +40,7 @@ CAUSES = {
     "axis": "motion",
     "input": "an input",
     "operator": "the operator",
-    "task": "another task",
+    "task": "another task or a handler",
     "host": "a host",
     "condition": "a condition",
 }

@@ -8,32 +8,23 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from itertools import groupby
 
-from motionlang.kernel.lang import WRITE, Statement, Structure
+from motionlang.kernel.lang import Statement, Structure
 from motionlang.kernel.tools import ranges
-from motionlang_explore.exploration import (
-    Change,
-    Exploration,
-    is_reset,
-    is_wrong,
-)
+from motionlang_explore.exploration import Change, Exploration
+from motionlang_explore.map.alarms import alarms_of, in_row
 from motionlang_explore.map.ends import Ends, Steps
-from motionlang_explore.map.names import ReaderNames, is_alarm
-from motionlang_explore.map.reasons import DIRECT, MAX_REASONS, QUOTED, Reason, Reasons
+from motionlang_explore.map.faults import SAID
+from motionlang_explore.map.guards import Guards
+from motionlang_explore.map.names import ReaderNames
 from motionlang_explore.map.starts import starts_of
 from motionlang_explore.map.stops import stops_of
 
-# The values with which an output is switched off.
-_OFF = ("0", "_off", "_false")
-# The code of a character is nothing that is said.
-_CODE = re.compile(r"""\b(?:Asc\(|INKEY\s*=\s*)["'][^"']*["']""", re.IGNORECASE)
-_TEXT = re.compile(r'"([^"]*)"')
-_AFTER = re.compile(r"[\d.]+ s ")
-# What holds where there is no alarm, as (fault = 0).
-_IS_NONE = re.compile(r"= 0\)?$|^not ", re.IGNORECASE)
-_NAME = re.compile(r"[A-Za-z_]\w*")
+# In the form of a statement: a variable, one that counts the time, and the time.
+_NAME, _CLOCK, _TIME = re.compile(r"~(\w+)"), re.compile(r"~(\w+) TypeName ~time"), re.compile(r"\bTIME\b")
 
 
 @dataclass(eq=False, slots=True)
@@ -47,20 +38,27 @@ class CautionRow:
 
 def cautions(exploration: Exploration, structure: Structure, names: ReaderNames) -> list[CautionRow]:
     """Return the cautions of a machine."""
-    reasons = Reasons(structure, names, exploration.world.run.controller.inputs.active_low)
+    guards = Guards(structure)
     rows = list(_start(exploration, names))
     if exploration.axes and exploration.channels:
         rows += _stops(exploration, structure, names)
-    rows += _alarms(exploration, structure, names, reasons)
+    rows += _alarms(exploration, structure, names, guards)
+    forms = (each.form for each in structure.statements.values())
+    clocks = {each for form in forms for each in _CLOCK.findall(form)}
     waits = {
         structure.line(at)
         for node in exploration.nodes
         if node.state is not None and all(each.causes for each in node.transitions)
         for place in node.state
         for at in place.statements
-        if reasons.waits(at) and not reasons.has_clock(at)
+        if guards.waits(at) and not _has_clock(structure.statements[at], clocks)
     }
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
+
+
+def _has_clock(statement: Statement, clocks: Collection[str]) -> bool:
+    """True if a statement reads the time, or a variable that counts it."""
+    return bool(_TIME.search(statement.form)) or not set(clocks).isdisjoint(_NAME.findall(statement.form))
 
 
 def _start(exploration: Exploration, names: ReaderNames) -> Iterator[CautionRow]:
@@ -89,103 +87,35 @@ def _listed(changes: Iterable[Change], names: ReaderNames) -> str:
 
 
 def _alarms(
-    exploration: Exploration, structure: Structure, names: ReaderNames, reasons: Reasons
+    exploration: Exploration, structure: Structure, names: ReaderNames, guards: Guards
 ) -> Iterator[CautionRow]:
     """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
-    found: dict[tuple[bool, object], tuple[dict[str, None], list[str], list[Statement]]] = {}
-    usual = _printed(exploration)
-    for each in (each for at, each in sorted(structure.statements.items()) if reasons.knows(at)):
-        written = [use for use in each.channels if use.access == WRITE]
-        causes = reasons.of(each.at) or [
-            Reason(f"`{use.value}`", each.line) for use in written if " " in use.value
-        ]
-        lamps = [names[title] for use in written if (title := f"{use.channel} {use.number}") in names.alarms]
-        is_on = any(use.value.lower() not in _OFF for use in written)
-        is_question = any(use.channel == "answer" for use in each.channels)
-        said = [] if is_question else map(str.strip, _TEXT.findall(_CODE.sub("", each.text)))
-        texts = list(filter(None, said))
-        shown = [*_NAME.findall(_TEXT.sub("", each.text)), *(use.value for use in written)]
-        known = [reasons.values(one, each.at) for one in shown]
-        values = next((one for one in known if len(one) > 1), {})
-        # Behind the branches of the other numbers there is one left.
-        left = [only for one in known if len(one) == 1 for only in one.values()]
-        words = {one.words for one in causes}
-        causes = next((only for only in left if only and {one.words for one in only} < words), causes)
-        # What is said when a fault is reset has no causes of its own.
-        is_over = any(map(is_reset, (one.words for one in causes if one.rank == DIRECT)))
-        is_number = bool(values) and any(map(is_alarm, (*shown, *texts))) and not is_over
-        values = values if is_number else {}  # a step or a count in a text is no number of an alarm
-        is_told = min((one.rank for one in causes), default=QUOTED) > QUOTED
-        is_left = is_told and each.at not in usual | exploration.world.cycle.begun
-        says_wrong = bool(texts) and (is_wrong(" ".join(texts)) or each.at in exploration.trouble)
-        says_wrong &= not is_over and each.at not in usual
-        is_trouble = is_number or bool(lamps) or says_wrong
-        causes = causes or (reasons.waited(each.at) if is_trouble else [])
-        if texts and (is_trouble or is_left):
-            what = [repr(" ... ".join(texts) + " ..." * bool(values))]
-        else:
-            hosts = [
-                names[f"{use.channel} {use.number}"]
-                for use in written
-                if is_number and not _IS_NONE.search(use.value)
-            ]
-            what = lamps if lamps and is_on else hosts
-        if what:
-            by = [one for some in values.values() for one in some] or causes
-            key = frozenset(one.text for one in by) or tuple(what)
-            row = found.setdefault((not is_trouble, key), ({}, [], []))
-            row[0].update(dict.fromkeys(what))
-            why = "; ".join(f"{value}: {_by(reasons_of)}" for value, reasons_of in values.items())
-            row[1].append(f"with {why}" if values else _by(causes))
-            row[2].append(each)
+    alarms, left = alarms_of(exploration, structure, names, guards)
+    statements = structure.statements
     ends = Ends(
-        exploration,
-        [each for (is_only_said, _), row in found.items() if not is_only_said for each in row[2]],
-        names,
+        exploration, [statements[sign.at] for each in alarms if each.is_trouble for sign in each.signs], names
     )
-    for (is_only_said, _), (told, whys, signs) in sorted(found.items(), key=lambda pair: pair[0][0]):
-        played = "" if any(each.at in exploration.begun for each in signs) else " (not played)"
-        steps = () if played or is_only_said else ends.of(signs, "; ".join(whys))
-        is_one = len({*whys}) == 1 and " or " not in whys[0] and not whys[0].startswith("with ")
-        back = f"{'' if is_one else 'as it was played, it '}ends by {_joined(steps, names)}" if steps else ""
-        back = "what ends it was not played" if steps is None else back
-        why = max(whys, key=lambda text: text.startswith("with "))
-        verb = (
-            ("are printed" if len(told) > 1 else "is printed")
-            if is_only_said
-            else "come" + "s" * (len(told) < 2)
-        )
-        yield CautionRow(
-            "said" if is_only_said else "alarm",
-            " and ".join(told),
-            f"{verb} {why}{played}{'; ' if back else ''}{back}",
-        )
+    for each in sorted(alarms, key=lambda one: not one.is_trouble):
+        what, back = each.what(names), ""
+        if each.is_trouble and not (each.is_quoted or each.comes_with):
+            said = [sign.what for sign in each.signs if sign.kind == SAID]
+            changes = [fault.change for fault in each.faults]
+            steps = ends.of([statements[sign.at] for sign in each.signs], each.why, said, changes)
+            it = "" if " or " not in each.why else "as it was played, it "
+            back = f"; {it}ends by {_joined(steps, names)}" if steps else ""
+            back = "; what ends it was not played" if steps is None and not each.is_rare else back
+        is_said = not each.is_trouble and all(sign.kind == SAID for sign in each.signs)
+        verb = ("are printed", "is printed") if is_said else ("come", "comes")
+        why = f"{verb[len(what) < 2]} {each.why}{' (not played)' if each.is_quoted else ''}"
+        yield CautionRow("alarm" if each.is_trouble else "said", " and ".join(what), why + back)
+    if left:
+        channels = groupby(sorted(left), key=lambda each: each.subject)
+        rows = ", ".join(in_row(list(changes), names) for _, changes in channels)
+        yield CautionRow("alarm", "whether anything else", f"comes by {rows} was not played")
 
 
 def _joined(steps: Steps, names: ReaderNames) -> str:
     return ", then ".join(" and ".join(map(names.of, step)) for step in steps)
-
-
-def _printed(exploration: Exploration) -> frozenset[int]:
-    """Return the statements that print in the good cycle of the world; none if it is no good one."""
-    run = exploration.world.run
-    if run.cycle is None or exploration.fault_of(run):
-        return frozenset()
-    begin, end = run.cycle.span
-    return frozenset(each.at for each in run.machine.log.prints if begin <= each.time < end)
-
-
-def _by(reasons: Sequence[Reason]) -> str:
-    """Return some reasons in words, those with the same words once with all their lines."""
-    lines: dict[str, set[int]] = defaultdict(set)
-    for each in reasons:
-        lines[each.words].add(each.line)
-    texts = [f"{words}, {_lines(at)}" if any(at) else words for words, at in lines.items()]
-    text = " or ".join(texts[:MAX_REASONS] + ["others"] * (len(texts) > MAX_REASONS))
-    after = (
-        "" if _AFTER.match(text) or text.startswith("without ") else "after " if text[:1].isdigit() else "by "
-    )
-    return f"{after}{text}" if text else "by a condition that is not known"
 
 
 def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[CautionRow]:

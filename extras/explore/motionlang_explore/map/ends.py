@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from math import inf
 from typing import NamedTuple
 
+from motionlang.comparison.texts import plain
 from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Statement
 from motionlang_explore.exploration import (
@@ -81,11 +82,14 @@ class Ends:
                     queue.append(each.target)
         return set(found)
 
-    def of(self, signs: Collection[Statement], why: str) -> Steps | None:
+    def of(
+        self, signs: Collection[Statement], why: str, said: Collection[str], faults: Collection[Change]
+    ) -> Steps | None:
         """Return the changes that end the alarm of some statements, none if it ends by itself.
 
-        Of changes that can stand for each other those are left that the reason `why` it comes names. None if nothing
-        that was played has ended it. What ends one alarm is tried last with the next one.
+        It begins by one of the `faults` in the good cycle, or as it was seen, where one of the texts is `said` if there
+        is such a place. Of changes that can stand for each other those are left that the reason `why` it comes names.
+        None if nothing that was played has ended it. What ends one alarm is tried last with the next one.
         """
         alarm = _Alarm(self._exploration, signs, self._good, self._names)
         ways = (
@@ -98,6 +102,7 @@ class Ends:
         first = min(
             ways,
             key=lambda each: (
+                set(said).isdisjoint(" ".join(plain(one).split()) for one in each.said),
                 each.target in self._good,
                 alarm.distance(each),
                 len(each.causes),
@@ -105,15 +110,17 @@ class Ends:
             ),
             default=None,
         )
-        if first is None or first.target is None:
-            return ()
+        cycle = self._exploration.world.cycle
+        begins = [(cycle.visit, Step((each,))) for each in faults if each.table == "input"]
+        if first is not None and first.target is not None:
+            begins += [(cycle.visit, first.causes)] * bool(first.causes) + [(first.visit, first.causes)]
         known = tuple(self._known)
-        if self._is_out_of_work and not known:
+        if not begins or (self._is_out_of_work and not known):
             return None
-        start = self._begun(first, alarm)
+        start, causes = self._begun(begins, alarm)
         if alarm.goes_on(start.played):
             return ()
-        alarm.begins(start.played, first)
+        alarm.begins(start.played, causes)
         if alarm.is_over(start.played, has_come=False):
             return ()
         for begin in dict.fromkeys((self._restored(start, alarm), alarm.undone, ())):
@@ -124,28 +131,29 @@ class Ends:
                 return steps
         return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
 
-    def _begun(self, led: Transition, alarm: _Alarm) -> _Reached:
-        """Return what an alarm begins with: its causes come where the good cycle begins, or, if it does not, as seen.
+    def _begun(self, begins: Sequence[tuple[Visit, Step]], alarm: _Alarm) -> tuple[_Reached, Step]:
+        """Return what an alarm begins with, and its causes: behind the first visit at which it comes, or the last one.
 
         Nobody holds a reset, unless the alarm does not come or stay so.
         """
-        cycle, own = self._exploration.world.cycle, {one.number for one in led.causes if one.table == "input"}
-        visits = (*([cycle.visit] if led.causes else ()), led.visit)
-        begins = (
-            self._play(visit.changed(changes), visit.change_time)
-            for visit in visits
-            for changes in dict.fromkeys(((*led.causes, *self._held(visit, own)), led.causes))
+        ways = (
+            (visit, changes, causes)
+            for visit, causes in begins
+            for changes in dict.fromkeys(((*causes, *self._held(visit, causes)), causes))
         )
-        come = (each for each in begins if alarm.has_come(each.played))
-        start = next(come, None) or self._play(led.visit.changed(led.causes), led.visit.change_time)
+        played = ((self._play(at.changed(made), at.change_time), causes) for at, made, causes in ways)
+        came = next((each for each in played if alarm.has_come(each[0].played)), None)
+        visit, causes = begins[-1]
+        start, causes = came or (self._play(visit.changed(causes), visit.change_time), causes)
         alarm.shows(start.played, self._names)
         now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
         held = self._resets(n for (table, n), level in now.items() if table == "input" and level)
         later = self._changed(start, held)
-        return start if alarm.is_over(later.played) else later
+        return (start if alarm.is_over(later.played) else later), causes
 
-    def _held(self, visit: Visit, own: Collection[int]) -> Step:
-        """Return the changes that release the resets that are on at a visit, but for some inputs."""
+    def _held(self, visit: Visit, causes: Step) -> Step:
+        """Return the changes that release the resets that are on at a visit, but for those that are changed."""
+        own = {one.number for one in causes if one.table == "input"}
         return self._resets(n for n, level in visit.levels.items() if level and n not in own)
 
     def _resets(self, numbers: Iterable[int]) -> Step:
@@ -287,16 +295,14 @@ class _Alarm:
             without_memory(each.state) in self._places for each in played.rests[-1:]
         )
 
-    def begins(self, played: PlayedTimeline, led: Transition) -> None:
+    def begins(self, played: PlayedTimeline, causes: Step) -> None:
         """Take note of what has led to the alarm, and of the rest behind it.
 
         At its place only what the program remembers tells a good state.
         """
         self._places -= {without_memory(each.state) for each in played.rests[-1:]}
         self.undone = tuple(
-            Change("input", each.number, 1.0 - float(each.value))
-            for each in led.causes
-            if each.table == "input"
+            Change("input", each.number, 1.0 - float(each.value)) for each in causes if each.table == "input"
         )
 
     def is_over(self, played: PlayedTimeline, *, has_come: bool = True) -> bool:

@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from motionlang.commands.channels import Channel, channels, only_named, order_of
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
-from motionlang_explore.exploration import PIECE, SECONDS, Exploration, Progress, explore, without_world
+from motionlang_explore.exploration import (
+    PIECE,
+    SECONDS,
+    Change,
+    Exploration,
+    Progress,
+    explore,
+    without_world,
+)
 from motionlang_explore.map.axes import AxisMap, axes
 from motionlang_explore.map.behaviour import MachineBehaviour, behaviour_of
 from motionlang_explore.map.names import ReaderNames
@@ -86,9 +95,28 @@ def map_of_machine(
 def map_of_exploration(exploration: Exploration) -> ProgramMap:
     """Return the map of a program that was explored."""
     made = program_map(exploration.program, dialect(exploration.program.language))
+    _wait_as_played(made, exploration)
     names = ReaderNames(made.channels, made.axes, made.variables)
     made.behaviour = behaviour_of(exploration, made.structure, names, made.unreached)
     return made
+
+
+def _wait_as_played(made: ProgramMap, exploration: Exploration) -> None:
+    """Tell the lines at which the machine has waited for a channel from those that only read it, where it has come."""
+    structure, played = made.structure, defaultdict[str, set[int]](set)
+    loops = sorted((loop.lines for loop in structure.waits.all()), key=len)
+    for node in exploration.nodes:
+        places = {structure.line(at) for at in node.places}
+        inner = (next((lines for lines in loops if line in lines), ()) for line in places)
+        around = places.union(*inner)
+        for channel in node.channels:
+            played[Change(*channel, 0.0).subject] |= around
+    begun = {structure.line(at) for at in exploration.begun}
+    waits = {each.line for each in structure.statements.values() if each.waits}
+    for one in made.channels:
+        lines = sorted({*one.reads, *one.waits})
+        known = {line for line in lines if line in waits | played[one.title]} | ({*one.waits} - begun)
+        one.waits, one.reads = sorted(known), [line for line in lines if line not in known]
 
 
 def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -> ProgramMap:

@@ -146,15 +146,17 @@ def _released(settings: Mapping[str, object], number: int, run: Run, time: float
 
 
 def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterator[Change]:
-    """Yield the changes of the inputs that have one level in a world, and of the keys that the program reads."""
+    """Yield the changes of the inputs that have one level in a world, and of the keys that it does not press."""
     given = entries(settings, "input")
-    for number in exploration.channels:
+    for number in exploration.inputs:
         own = [each for each in given if each["channel"] == number]
         if not own or (len(own) == 1 and own[0].keys() <= LEFT):
             is_on = bool(own) and bool(own[0].get("value", 1))
             yield Change("input", number, 0.0 if is_on else 1.0)
+    known = {each.get("text") for each in entries(settings, "key")}
     causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)
-    yield from dict.fromkeys(one for one in causes if one.table == "key" and not one.moment.line)
+    keys = (one for one in causes if one.table == "key" and not one.moment.line)
+    yield from dict.fromkeys(one for one in keys if one.value not in known)
 
 
 def _with(settings: Mapping[str, object], change: Change, time: float) -> dict[str, object]:

@@ -1,0 +1,281 @@
+"""What goes wrong in the good cycle when one thing in its world is otherwise: it is played.
+
+Each input of the world goes on or off for good in the middle of a cycle, or is so from the start; each level and number
+of a host takes the values on both sides of those at which comparisons turn. What the machine then prints, switches on
+or writes for its host, and does not in its world, is a sign of that fault. A time is told if the machine has paused for
+longer than it does there.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left, bisect_right
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
+from math import inf
+from typing import NamedTuple
+
+from motionlang.comparison.texts import plain
+from motionlang.kernel import Run
+from motionlang_explore.exploration import (
+    SECOND,
+    TEXTS,
+    Change,
+    Entry,
+    Exploration,
+    entries,
+    is_reset,
+    keys_of,
+    levels,
+    number_in,
+)
+from motionlang_explore.map.names import ReaderNames
+from motionlang_explore.map.starts import LEFT
+
+# The machine is watched for so many cycles and s behind a change; after so much work no more is played.
+CYCLES, WATCHED, WORK = 3, 12.0, 3 * SECOND
+# A pause is no shorter, s; a longer one than usual is longer by a share and a time, s.
+PAUSE, SHARE, MORE = 0.05, 1.05, 0.02
+SAID, SWITCHED, WRITTEN = "said", "switched", "written"
+_FIGURES, _MEASURED = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+")
+
+Settings = Mapping[str, object]
+
+
+class Sign(NamedTuple):
+    """What a machine says, switches on or writes: its kind, its statement, and its text or its channel.
+
+    Of a text with a number that counts it is the form, with "..." for each number, as for what was measured.
+    """
+
+    kind: str
+    at: int
+    what: str
+
+
+class Fault(NamedTuple):
+    """A change of the world with which a sign comes.
+
+    `seconds` is how long the machine has paused before, behind what `line` does, 0.0 if not longer than usual. `behind`
+    is another sign that has come before, so many `times`.
+    """
+
+    change: Change
+    seconds: float
+    line: int
+    behind: Sign | None
+    times: int
+
+
+class Faults(NamedTuple):
+    """The faults with which each sign comes, and the changes that were not played.
+
+    `rare` is what comes in the world itself, but in no usual cycle, with the cycles before it comes first, and `seen`
+    are the statements of all else that has come in the world, or in a play.
+    """
+
+    of: Mapping[Sign, Sequence[Fault]]
+    left: Sequence[Change]
+    rare: Mapping[Sign, int]
+    seen: frozenset[int]
+
+
+class _Came(NamedTuple):
+    """A sign that came with a change, and the pause before it: how long, s, and the line behind which it was."""
+
+    change: Change
+    sign: Sign
+    pause: tuple[float, int]
+
+
+def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable[[Sign], bool]) -> Faults:
+    """Return what goes wrong in the world of an exploration by one change, while nobody resets anything.
+
+    What is no trouble, and comes behind what is, follows from it.
+    """
+    run = exploration.world.run
+    since = _middle(run)
+    base = _without_resets(exploration, names)
+    period = run.time if run.cycle is None else run.cycle.period
+    until, most = since + CYCLES * period + WATCHED, exploration.work + WORK
+    usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest()
+    statements = exploration.program.structure.statements
+    asking = {at for at, each in statements.items() if any(use.channel == "answer" for use in each.channels)}
+    plays, left, seen = list[list[_Came]](), dict[Change, bool](), set[int]()
+    for change, time, settings in _worlds(exploration, base, since):
+        left.setdefault(change, True)
+        if exploration.work > most:
+            continue
+        left[change] = False
+        played = exploration.run(settings, until)
+        seen |= {each.at for _, each in _signs(played)}
+        news = [each for each in _signs(played) if _kind(each[1]) not in usual]
+        signs = [each for each in news if each[1].at not in asking]
+        wrong = next((at for at, each in signs if is_trouble(each)), inf)
+        signs = [each for each in signs if each[0] < wrong + PAUSE or is_trouble(each[1])]
+        doings = _doings(exploration, played)
+        plays.append([_Came(change, sign, doings.pause(at, time, pauses)) for at, sign in signs])
+    counting = _counting(plays)
+    found = defaultdict[Sign, dict[Change, Fault]](dict)
+    for play in plays:
+        count = Counter[Sign]()
+        for change, own, pause in play:
+            sign = form_of(own) if form_of(own) in counting else own
+            if not count[sign]:
+                often = [(one, times) for one, times in count.items() if times > 1]
+                found[sign].setdefault(change, Fault(change, *pause, *(often[-1] if often else (None, 0))))
+            count[sign] += 1
+    known = {sign: list(faults.values()) for sign, faults in found.items() if "= ..." not in sign.what}
+    rare = _rare(run)
+    seen |= {each.at for _, each in _signs(run)}
+    seen -= {each.at for each, count in rare.items() if not count}
+    return Faults(known, [change for change, is_left in left.items() if is_left], rare, frozenset(seen))
+
+
+def _rare(run: Run) -> dict[Sign, int]:
+    """Return what a run says, switches on or writes, but in no usual cycle, and the cycles before it comes first."""
+    begin, end = (0.0, run.time) if run.cycle is None else run.cycle.span
+    times, found, usual = () if run.cycle is None else run.cycle.times, dict[Sign, int](), set[int]()
+    for time, each in _signs(run):
+        found.setdefault(form_of(each), bisect_right(times, time))
+        usual |= {each.at} if begin <= time < end else set()
+    return {sign: count for sign, count in found.items() if sign.at not in usual}
+
+
+def _without_resets(exploration: Exploration, names: ReaderNames) -> Settings:
+    """Return the settings of the world without the inputs that reset, if the machine works as well."""
+    world, inputs = exploration.world, entries(exploration.world.settings, "input")
+    left = [each for each in inputs if not is_reset(names[f"input {number_in('input', each)}"])]
+    without = {**world.settings, "input": left}
+    works = len(left) < len(inputs) and not exploration.fault_of(exploration.run(without, world.run.time))
+    return without if works else world.settings
+
+
+def _middle(run: Run) -> float:
+    """Return the middle of the first move of the second cycle, or its begin."""
+    times = (0.0, run.time) if run.cycle is None else run.cycle.times
+    begin, end = times[1:3] if len(times) > 2 else times[:2]
+    moves = (each for each in run.machine.log.moves if begin <= each.start_time < end)
+    for each in moves:
+        if each.profile is not None:
+            return each.start_time + min(each.profile.duration, end - begin) / 2.0
+    return begin
+
+
+def _worlds(
+    exploration: Exploration, settings: Settings, since: float
+) -> Iterator[tuple[Change, float, Settings]]:
+    """Yield changes, their times and the worlds with them: in the middle of a cycle, then from the start."""
+    run, always = exploration.world.run, list[tuple[Change, Settings]]()
+    for number in exploration.inputs:
+        own = [each for each in entries(settings, "input") if number_in("input", each) == number]
+        is_left = len(own) == 1 and own[0].keys() <= LEFT
+        others = [0.0 if own[0].get("value", 1) else 1.0] if is_left else [0.0, 1.0] if own else [1.0]
+        past = [each for each in run.machine.log.inputs if each.channel == number and each.time < since]
+        was: list[Entry] = [{"at": each.time, "value": each.value} for each in past]
+        for level in others:
+            change = Change("input", number, level)
+            yield change, since, _given(settings, change, [*was, {"at": since, "value": level}])
+            if len(others) == 1 or not level:
+                always.append((change, _given(settings, change, [{"at": 0.0, "value": level}])))
+    for change in _values(exploration):
+        own = [
+            each for each in entries(settings, change.table) if number_in(change.table, each) == change.number
+        ]
+        yield change, since, _given(settings, change, [*own, {"value": change.value, "at": since}])
+        always.append((change, _given(settings, change, [{"value": change.value, "at": 0.0}])))
+    yield from ((change, 0.0, given) for change, given in always)
+
+
+def _values(exploration: Exploration) -> list[Change]:
+    """Return the levels and the numbers of a host at which the comparisons of the program turn, one on each side."""
+    causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)
+    tried = [Change(one.table, one.number, one.value) for one in causes if one.table not in ("input", *TEXTS)]
+    world = exploration.world
+    compared = levels(exploration.play_in(world.settings, world.run.time).trial)
+    return list(dict.fromkeys((*tried, *compared)))
+
+
+def _given(settings: Settings, change: Change, rules: Sequence[Entry]) -> Settings:
+    """Return settings in which the channel of a change has other entries."""
+    table = change.table
+    others = [each for each in entries(settings, table) if number_in(table, each) != change.number]
+    return {**settings, table: [*others, *({**keys_of(*change.channel), **each} for each in rules)]}
+
+
+def _signs(run: Run) -> list[tuple[float, Sign]]:
+    """Return what a run says, switches on and writes but for 0, with the times, in order."""
+    log = run.machine.log
+    found = [(each.time, Sign(SAID, each.at, _text(each.text))) for each in log.prints]
+    found += [
+        (each.time, Sign(SWITCHED, each.at, f"output {each.channel}")) for each in log.outputs if each.value
+    ]
+    found += [
+        (each.time, Sign(WRITTEN, each.at, f"{each.target} = {each.value:g}"))
+        for each in log.writes
+        if each.value
+    ]
+    return sorted((each for each in found if each[1].at >= 0 and each[1].what), key=lambda each: each[0])
+
+
+def _text(printed: str) -> str:
+    return _MEASURED.sub("...", " ".join(plain(printed).split()))
+
+
+def form_of(sign: Sign) -> Sign:
+    """Return a sign without the numbers of its text, or the number that is written."""
+    if sign.kind == SWITCHED:
+        return sign
+    head, equal, text = sign.what.partition(" = ") if sign.kind == WRITTEN else ("", "", sign.what)
+    return sign._replace(what=head + equal + _FIGURES.sub("...", text))
+
+
+def _kind(sign: Sign) -> Sign:
+    """Return the form of a sign; an output is the same wherever it is switched on."""
+    return sign._replace(at=-1) if sign.kind == SWITCHED else form_of(sign)
+
+
+def _counting(plays: Sequence[Sequence[_Came]]) -> set[Sign]:
+    """Return the forms of what has numbers that count, or measure: they differ in a play, or by when that begins."""
+    by_change = defaultdict[tuple[Sign, Change], set[Sign]](set)
+    for each in (each for play in plays for each in play):
+        by_change[form_of(each.sign), each.change].add(each.sign)
+    return {form for (form, _), signs in by_change.items() if len(signs) > 1}
+
+
+class _Doings(NamedTuple):
+    """When a run does anything, or a wait ends, with the lines, in order, and its pauses of a given time."""
+
+    events: Sequence[tuple[float, int]]
+    naps: Sequence[tuple[float, float]]
+
+    def longest(self) -> Mapping[int, float]:
+        """Return the longest pause behind what each line does, s."""
+        found = defaultdict[int, float](float)
+        for (begin, line), (end, _) in pairwise(self.events):
+            found[line] = max(found[line], end - begin)
+        return found
+
+    def pause(self, time: float, since: float, usual: Mapping[int, float]) -> tuple[float, int]:
+        """Return how long the machine has waited before a time, s, and behind what line; 0.0 if not longer than usual.
+
+        A pause in which the change comes is none, and neither is one of a given time.
+        """
+        end = time
+        for begin, line in reversed(self.events[: bisect_left(self.events, (time, 0))]):
+            if end - begin >= PAUSE and not any(abs(a - begin) + abs(b - end) < MORE for a, b in self.naps):
+                is_longer = begin >= since and end - begin > SHARE * usual[line] + MORE
+                return (end - begin, line) if is_longer else (0.0, 0)
+            end = begin
+        return 0.0, 0
+
+
+def _doings(exploration: Exploration, run: Run) -> _Doings:
+    log, line = run.machine.log, exploration.line
+    found = [(0.0, 0), *((each.start_time, each.line) for each in log.moves)]
+    found += [(each.until, line(each.at)) for each in log.waits if each.at >= 0 and each.cause != "time"]
+    for stream in (log.outputs, log.writes, log.prints):
+        found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
+    naps = [each[2:4] for each in log.waits if each.cause == "time" and each.until - each.since >= PAUSE]
+    return _Doings(sorted(each for each in found if each[0] <= run.time), naps)
