@@ -354,7 +354,8 @@ class Explorer:
                     said = self.part(trial, since, rest.end).prints
                     did += [each.time for each in said if each.at not in asks]
                 if did:
-                    self._link(source, back, how, rest.state, trial, since, max(did), known, is_over)
+                    until = max(*did, rest.begin)
+                    self._link(source, back, how, rest.state, trial, since, until, known, is_over)
                 continue  # the same stay
             reached, way = self._reached(rest, trial)
             first = first or rest
