@@ -31,17 +31,17 @@ MAX_CAUSES = 6
 class Alarm(NamedTuple):
     """What says that something is wrong, or is only said, and why in words, with the faults that were played.
 
-    `comes_with` is True of a lamp that comes with several texts, `is_rare` of what comes after some good cycles, and
-    `is_quoted` of what no trial has reached.
+    `begins` is False of a lamp that comes with several texts, and of what is quoted from the text, `is_rare` True of
+    what comes after some good cycles, and `is_unplayed` of what no trial has reached.
     """
 
     signs: Sequence[Sign]
     why: str
     is_trouble: bool = True
     faults: Sequence[Fault] = ()
-    comes_with: bool = False
+    begins: bool = True
     is_rare: bool = False
-    is_quoted: bool = False
+    is_unplayed: bool = False
 
     def what(self, names: ReaderNames) -> list[str]:
         """Return what the machine says in quotes, and the names of what it switches or writes."""
@@ -108,7 +108,7 @@ def _played(
             why = f"with {told} or {why}" if why else f"with {told}"
         is_wrong_here = bool(others) or any(map(is_trouble, signs))
         if is_wrong_here or not is_shown:
-            found.append(Alarm(signs, why, is_wrong_here, faults[signs[0]], bool(others)))
+            found.append(Alarm(signs, why, is_wrong_here, faults[signs[0]], not others))
     return found
 
 
@@ -162,7 +162,7 @@ def _others(
         if signs and at not in seen:
             why = " or ".join(f"{words}, line {line}" for words, line in guards.of(at)[:MAX_CAUSES])
             why = f"by {why}" if why else f"at line {each.line}"
-            found.append(Alarm(signs, why, is_quoted=at not in exploration.begun))
+            found.append(Alarm(signs, why, begins=False, is_unplayed=at not in exploration.begun))
         elif signs and at in ways and _says_wrong(exploration, signs[-1], ways[at]):
             found.append(Alarm(signs, f"{_seen(ways[at], structure, names)}, line {each.line}"))
     return found

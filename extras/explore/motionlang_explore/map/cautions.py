@@ -97,7 +97,7 @@ def _alarms(
     )
     for each in sorted(alarms, key=lambda one: not one.is_trouble):
         what, back = each.what(names), ""
-        if each.is_trouble and not (each.is_quoted or each.comes_with):
+        if each.is_trouble and each.begins:
             said = [sign.what for sign in each.signs if sign.kind == SAID]
             changes = [fault.change for fault in each.faults]
             steps = ends.of([statements[sign.at] for sign in each.signs], each.why, said, changes)
@@ -106,7 +106,7 @@ def _alarms(
             back = "; what ends it was not played" if steps is None and not each.is_rare else back
         is_said = not each.is_trouble and all(sign.kind == SAID for sign in each.signs)
         verb = ("are printed", "is printed") if is_said else ("come", "comes")
-        why = f"{verb[len(what) < 2]} {each.why}{' (not played)' if each.is_quoted else ''}"
+        why = f"{verb[len(what) < 2]} {each.why}{' (not played)' if each.is_unplayed else ''}"
         yield CautionRow("alarm" if each.is_trouble else "said", " and ".join(what), why + back)
     if left:
         channels = groupby(sorted(left), key=lambda each: each.subject)

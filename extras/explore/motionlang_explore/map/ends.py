@@ -290,10 +290,13 @@ class _Alarm:
             self._outputs = {each for each in switched if self._is_on(played.run, inf, each)}
 
     def goes_on(self, played: PlayedTimeline) -> bool:
-        """True if what is only said leads to a place to which the machine comes without it as well."""
-        return not self._outputs and any(
-            without_memory(each.state) in self._places for each in played.rests[-1:]
-        )
+        """True if the machine goes on behind what is only said, or rests where it comes without it as well."""
+        begun = (one for some in played.trial.statements.values() for one in some if one.at in self.at)
+        said = max((each.time for each in begun), default=0.0)
+        last = played.rests[-1:]
+        goes_on = any(each.begin < said or without_memory(each.state) in self._places for each in last)
+        later = [each for each in played.rests if each.end > said]
+        return not self._outputs and (goes_on or len(later) > 1)
 
     def begins(self, played: PlayedTimeline, causes: Step) -> None:
         """Take note of what has led to the alarm, and of the rest behind it.

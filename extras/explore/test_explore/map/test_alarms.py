@@ -455,8 +455,7 @@ RETURN
                 "'NO CLAMP' comes by input 1 (clamp shut) off 0.5 s after line 15, line 16",
                 "'RAM STUCK' comes by input 2 (ram down) off 0.8 s after line 17, line 18",
                 "'RAM LOW' comes by input 3 (ram up) off 1.2 s after line 19, line 22; ends by input 4 (reset) on",
-                "'CLAMP STUCK' comes by input 1 (clamp shut) on 0.6 s after line 25, line 26; ends by input 1 "
-                "(clamp shut) off",
+                "'CLAMP STUCK' comes by input 1 (clamp shut) on 0.6 s after line 25, line 26",
             ],
             id="function",
         ),
