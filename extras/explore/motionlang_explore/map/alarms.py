@@ -31,15 +31,15 @@ MAX_CAUSES = 6
 class Alarm(NamedTuple):
     """What says that something is wrong, or is only said, and why in words, with the faults that were played.
 
-    `begins` is False of a lamp that comes with several texts, and of what is quoted from the text, `is_rare` True of
-    what comes after some good cycles, and `is_unplayed` of what no trial has reached.
+    `ends` is False of a lamp that comes with several texts, of what others follow, and of what is quoted from the text,
+    `is_rare` True of what comes after some good cycles, and `is_unplayed` of what no trial has reached.
     """
 
     signs: Sequence[Sign]
     why: str
     is_trouble: bool = True
     faults: Sequence[Fault] = ()
-    begins: bool = True
+    ends: bool = True
     is_rare: bool = False
     is_unplayed: bool = False
 
@@ -108,7 +108,8 @@ def _played(
             why = f"with {told} or {why}" if why else f"with {told}"
         is_wrong_here = bool(others) or any(map(is_trouble, signs))
         if is_wrong_here or not is_shown:
-            found.append(Alarm(signs, why, is_wrong_here, faults[signs[0]], not others))
+            ends = not others and not all(each.goes_on for sign in signs for each in faults[sign])
+            found.append(Alarm(signs, why, is_wrong_here, faults[signs[0]], ends))
     return found
 
 
@@ -162,7 +163,7 @@ def _others(
         if signs and at not in seen:
             why = " or ".join(f"{words}, line {line}" for words, line in guards.of(at)[:MAX_CAUSES])
             why = f"by {why}" if why else f"at line {each.line}"
-            found.append(Alarm(signs, why, begins=False, is_unplayed=at not in exploration.begun))
+            found.append(Alarm(signs, why, ends=False, is_unplayed=at not in exploration.begun))
         elif signs and at in ways and _says_wrong(exploration, signs[-1], ways[at]):
             found.append(Alarm(signs, f"{_seen(ways[at], structure, names)}, line {each.line}"))
     return found

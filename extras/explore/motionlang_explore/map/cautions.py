@@ -97,7 +97,7 @@ def _alarms(
     )
     for each in sorted(alarms, key=lambda one: not one.is_trouble):
         what, back = each.what(names), ""
-        if each.is_trouble and each.begins:
+        if each.is_trouble and each.ends:
             said = [sign.what for sign in each.signs if sign.kind == SAID]
             changes = [fault.change for fault in each.faults]
             steps = ends.of([statements[sign.at] for sign in each.signs], each.why, said, changes)

@@ -58,7 +58,8 @@ class Fault(NamedTuple):
     """A change of the world with which a sign comes.
 
     `seconds` is how long the machine has paused before, behind what `line` does, 0.0 if not longer than usual. `behind`
-    is another sign that has come before, so many `times`.
+    is another sign that has come before, so many `times`. The machine `goes_on` if others have come
+    later, or it has come again behind another move.
     """
 
     change: Change
@@ -66,6 +67,7 @@ class Fault(NamedTuple):
     line: int
     behind: Sign | None
     times: int
+    goes_on: bool
 
 
 class Faults(NamedTuple):
@@ -82,9 +84,14 @@ class Faults(NamedTuple):
 
 
 class _Came(NamedTuple):
-    """A sign that came with a change, and the pause before it: how long, s, and the line behind which it was."""
+    """A sign that came with a change at a time, s, behind so many moves.
+
+    The `pause` before is how long it was, s, and the line behind which it came.
+    """
 
     change: Change
+    time: float
+    moves: int
     sign: Sign
     pause: tuple[float, int]
 
@@ -96,7 +103,7 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
     """
     run = exploration.world.run
     since = _middle(run)
-    base = _without_resets(exploration, names)
+    base, nobody_resets = _without_resets(exploration, names)
     period = run.time if run.cycle is None else run.cycle.period
     until, most = since + CYCLES * period + WATCHED, exploration.work + WORK
     usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest()
@@ -115,22 +122,43 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
         wrong = next((at for at, each in signs if is_trouble(each)), inf)
         signs = [each for each in signs if each[0] < wrong + PAUSE or is_trouble(each[1])]
         doings = _doings(exploration, played)
-        plays.append([_Came(change, sign, doings.pause(at, time, pauses)) for at, sign in signs])
-    counting = _counting(plays)
-    found = defaultdict[Sign, dict[Change, Fault]](dict)
-    for play in plays:
-        count = Counter[Sign]()
-        for change, own, pause in play:
-            sign = form_of(own) if form_of(own) in counting else own
-            if not count[sign]:
-                often = [(one, times) for one, times in count.items() if times > 1]
-                found[sign].setdefault(change, Fault(change, *pause, *(often[-1] if often else (None, 0))))
-            count[sign] += 1
-    known = {sign: list(faults.values()) for sign, faults in found.items() if "= ..." not in sign.what}
+        begun = sorted(each.start_time for each in played.machine.log.moves)
+        plays.append(
+            [
+                _Came(change, at, bisect_left(begun, at), sign, doings.pause(at, time, pauses))
+                for at, sign in signs
+            ]
+        )
+    known = {
+        sign: list(faults.values())
+        for sign, faults in _by_sign(plays, nobody_resets).items()
+        if "= ..." not in sign.what
+    }
     rare = _rare(run)
     seen |= {each.at for _, each in _signs(run)}
     seen -= {each.at for each, count in rare.items() if not count}
     return Faults(known, [change for change, is_left in left.items() if is_left], rare, frozenset(seen))
+
+
+def _by_sign(plays: Sequence[Sequence[_Came]], nobody_resets: bool) -> Mapping[Sign, dict[Change, Fault]]:
+    """Return the fault of each change with which a sign comes, in the first play with it.
+
+    That a machine goes on is known if `nobody_resets` it.
+    """
+    counting, found = _counting(plays), defaultdict[Sign, dict[Change, Fault]](dict)
+    for play in plays:
+        count = Counter[Sign]()
+        often: tuple[Sign | None, int] = None, 0
+        told = [form_of(each.sign) if form_of(each.sign) in counting else each.sign for each in play]
+        last = dict(zip(told, play, strict=True))
+        for sign, each in zip(told, play, strict=True):
+            if not count[sign]:
+                is_followed = play[-1].time > each.time + PAUSE and told[-1] != sign
+                goes_on = nobody_resets and (is_followed or last[sign].moves > each.moves)
+                found[sign].setdefault(each.change, Fault(each.change, *each.pause, *often, goes_on))
+            count[sign] += 1
+            often = (sign, count[sign]) if count[sign] > 1 else often
+    return found
 
 
 def _rare(run: Run) -> dict[Sign, int]:
@@ -143,13 +171,13 @@ def _rare(run: Run) -> dict[Sign, int]:
     return {sign: count for sign, count in found.items() if sign.at not in usual}
 
 
-def _without_resets(exploration: Exploration, names: ReaderNames) -> Settings:
-    """Return the settings of the world without the inputs that reset, if the machine works as well."""
+def _without_resets(exploration: Exploration, names: ReaderNames) -> tuple[Settings, bool]:
+    """Return the settings of the world without the inputs that reset if the machine works as well, and if it does."""
     world, inputs = exploration.world, entries(exploration.world.settings, "input")
     left = [each for each in inputs if not is_reset(names[f"input {number_in('input', each)}"])]
     without = {**world.settings, "input": left}
-    works = len(left) < len(inputs) and not exploration.fault_of(exploration.run(without, world.run.time))
-    return without if works else world.settings
+    works = len(left) == len(inputs) or not exploration.fault_of(exploration.run(without, world.run.time))
+    return (without if works else world.settings), works
 
 
 def _middle(run: Run) -> float:

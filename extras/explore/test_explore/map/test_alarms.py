@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang_explore.map import stops
+from motionlang_explore.map import faults, stops
 from tests.cli.programs import Cell
 
 # Steps in a variable, a count, times, two buttons that reset, and alarms that no trial reaches.
@@ -368,6 +368,31 @@ ENDL
   ENDIF
 RETURN
 """
+# A part that is missing three times in a row, and a level on which both sides are refused, with what was measured.
+MISSING = """\
+' IN 1 start  6 ball seen  7 reset
+' ADC 0 weight
+Dim missed As Integer
+SPEED(0) = 20 : ACCEL(0) = 200 : DECEL(0) = 200
+Loop
+  Pause INX(1)
+  MOVER(0) = 10 : GO(0) : Pause IDLE(0)
+  If INX(6) = 0 Then
+    missed = missed + 1
+    Print "no ball, ", missed
+    If missed = 3 Then
+      Print "ALARM three missing"
+      Pause INX(7)
+      missed = 0
+    End If
+  ElseIf ADC(0) < 40 Or ADC(0) > 60 Then
+    Print "reject, ", ADC(0) * 1.5
+  Else
+    missed = 0
+    Print "ball good"
+  End If
+End Loop
+"""
 
 
 @pytest.mark.parametrize(
@@ -483,6 +508,17 @@ RETURN
             id="wanted",
         ),
         pytest.param(
+            "a.mnt",
+            MISSING,
+            [
+                "'no ball, ...' comes by input 6 (ball seen) off, line 10",
+                "'ALARM three missing' comes by input 6 (ball seen) off after 'no ball, ...' 3 times, line 12; "
+                "ends by input 7 (reset) on",
+                "'reject, ...' comes by analogue input 0 (weight) = 38 or 62, line 17",
+            ],
+            id="missing",
+        ),
+        pytest.param(
             "a.prg",
             FLAGS,
             [
@@ -544,6 +580,16 @@ def test_what_stops_the_machine_between_its_moves_is_played(cell: Cell) -> None:
         "nothing that was played cuts off a move to a target",
         "input 3 (stop released) off or key 9 in the move of line 8 stops the machine at the end of its cycle",
         "input 2 (door shut) off in the move of line 8 stops the machine behind line 8",
+    ]
+
+
+def test_what_was_not_played_of_the_alarms_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    cell.write("a.mnt", MISSING)
+    monkeypatch.setattr(faults, "WORK", 0)
+    shown = cell("map", "a.mnt", "--all").out.replace("\n      ", " ").splitlines()
+    assert [line.strip() for line in shown if "anything else" in line] == [
+        "whether anything else comes by analogue input 0 (weight) = 38, 42, 58 or 62, input 6 (ball seen) off, "
+        "input 7 (reset) on was not played",
     ]
 
 
