@@ -22,7 +22,7 @@ from motionlang.kernel import Program, dialect
 from motionlang.kernel.lang import Named, names_in_comments
 from motionlang.kernel.log import Printed, Switched
 from motionlang_explore.exploration import questions
-from motionlang_explore.exploration.changes import Channel, Timeline, given_in
+from motionlang_explore.exploration.changes import AT_REST, Channel, Timeline, given_in
 from motionlang_explore.exploration.likely import Likely
 from motionlang_explore.exploration.recorder import HANDLERS, Seen
 from motionlang_explore.exploration.rests import (
@@ -582,12 +582,14 @@ def _urgency(left: tuple[StateNode, Departure]) -> tuple[bool, int, bool, int, i
 
 
 def _later(causes: Causes, visit: Visit, way: Visit, since: float) -> Causes:
-    """Return those of the changes of a visit that come in a move after a time, as changes of a later visit."""
+    """Return those changes of a visit for a move that come in a later one or behind it; it ends at a time."""
     times = ((each, visit.change_time + each.moment.delay) for each in causes if each.moment.line)
     return tuple(
-        each._replace(moment=each.moment._replace(delay=round(time - way.change_time, 4)))
+        each._replace(
+            moment=each.moment._replace(delay=round(time - way.change_time, 4)) if time > since else AT_REST
+        )
         for each, time in times
-        if time > since
+        if time > way.time
     )
 
 
