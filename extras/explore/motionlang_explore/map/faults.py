@@ -19,6 +19,7 @@ from typing import NamedTuple
 from motionlang.comparison.texts import plain
 from motionlang.kernel import Run
 from motionlang_explore.exploration import (
+    LENGTH,
     SECOND,
     TEXTS,
     Change,
@@ -104,8 +105,8 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
     run = exploration.world.run
     since = _middle(run)
     base, nobody_resets = _without_resets(exploration, names)
-    period = run.time if run.cycle is None else run.cycle.period
-    until, most = since + CYCLES * period + WATCHED, exploration.work + WORK
+    until = since + (LENGTH if run.cycle is None else CYCLES * run.cycle.period)
+    until, most = until + WATCHED, exploration.work + WORK
     usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest()
     statements = exploration.program.structure.statements
     asking = {at for at, each in statements.items() if any(use.channel == "answer" for use in each.channels)}

@@ -21,7 +21,7 @@ PARTS = 4
 SLOW = (
     "bank", "cleaning", "crank", "ends", "feeder_marks", "flood", "flow", "handover", "hands", "helper", "host", "jog",
     "labeller", "limits", "mark", "mask", "order", "press", "ready", "robot", "selector", "sorter", "spin", "stages",
-    "table", "teeth", "third", "together", "turntable", "weigher", "winder",
+    "stopped", "table", "teeth", "third", "together", "turntable", "weigher", "winder",
 )  # fmt: skip
 
 
