@@ -8,8 +8,10 @@ these changes those are left out without which that happens as well.
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict, deque
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from itertools import product
 from math import inf
 from typing import NamedTuple
 
@@ -36,8 +38,11 @@ from motionlang_explore.exploration import (
 )
 from motionlang_explore.map.names import ReaderNames
 
-# So many changes are tried behind each begin, and in all alarms no more once they have done so much work.
-MAX_TRIED, WORK = 20, 3 * SECOND
+# So many changes are tried behind each begin, at so many places of the cycle an alarm may begin, and in all alarms no
+# more is tried once they have done so much work.
+MAX_TRIED, MAX_VISITS, WORK = 20, 4, 3 * SECOND
+# The number of an alarm in a text.
+_CODE = re.compile(r"\d")
 # An alarm is over if it does not come again for so long, s.
 AWHILE = 1.0
 # The values with which an output is switched on.
@@ -87,22 +92,28 @@ class Ends:
     ) -> Steps | None:
         """Return the changes that end the alarm of some statements, none if it ends by itself.
 
-        It begins by one of the `faults` in the good cycle, or as it was seen, where one of the texts is `said` if there
-        is such a place. Of changes that can stand for each other those are left that the reason `why` it comes names.
+        It begins by one of the `faults` in the good cycle, or as it was seen, where one of the texts is `said`. Of
+        changes that can stand for each other those are left that the reason `why` it comes names.
         None if nothing that was played has ended it. What ends one alarm is tried last with the next one.
         """
-        alarm = _Alarm(self._exploration, signs, self._good, self._names)
+        alarm = _Alarm(
+            self._exploration,
+            signs,
+            {each for each in said if _CODE.search(each) and "..." not in each},
+            self._good,
+            self._names,
+        )
         ways = (
             each
             for node in self._exploration.nodes
             for each in node.transitions
             if alarm.at & each.begun.union(*(place.statements for place in each.target or ()))
+            and alarm.is_said(each.said)
         )
         # A way that goes on into a good state has its end behind it; one from far has more to change.
         first = min(
             ways,
             key=lambda each: (
-                set(said).isdisjoint(" ".join(plain(one).split()) for one in each.said),
                 each.target in self._good,
                 alarm.distance(each),
                 len(each.causes),
@@ -111,13 +122,17 @@ class Ends:
             default=None,
         )
         cycle = self._exploration.world.cycle
-        begins = [(cycle.visit, Step((each,))) for each in faults if each.table == "input"]
+        visits = list(dict.fromkeys((cycle.visit, *(each.visit for each in cycle.transitions))))[:MAX_VISITS]
+        begins = [(at, Step((each,))) for at, each in product(visits, faults) if each.table == "input"]
         if first is not None and first.target is not None:
             begins += [(cycle.visit, first.causes)] * bool(first.causes) + [(first.visit, first.causes)]
         known = tuple(self._known)
         if not begins or (self._is_out_of_work and not known):
             return None
-        start, causes = self._begun(begins, alarm)
+        begun = self._begun(begins, alarm)
+        if begun is None:
+            return None
+        start, causes = begun
         if alarm.goes_on(start.played):
             return ()
         alarm.begins(start.played, causes)
@@ -131,8 +146,8 @@ class Ends:
                 return steps
         return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
 
-    def _begun(self, begins: Sequence[tuple[Visit, Step]], alarm: _Alarm) -> tuple[_Reached, Step]:
-        """Return what an alarm begins with, and its causes: behind the first visit at which it comes, or the last one.
+    def _begun(self, begins: Sequence[tuple[Visit, Step]], alarm: _Alarm) -> tuple[_Reached, Step] | None:
+        """Return what an alarm begins with, and its causes: behind the first visit at which it comes, None if nowhere.
 
         Nobody holds a reset, unless the alarm does not come or stay so.
         """
@@ -143,8 +158,9 @@ class Ends:
         )
         played = ((self._play(at.changed(made), at.change_time), causes) for at, made, causes in ways)
         came = next((each for each in played if alarm.has_come(each[0].played)), None)
-        visit, causes = begins[-1]
-        start, causes = came or (self._play(visit.changed(causes), visit.change_time), causes)
+        if came is None:
+            return None
+        start, causes = came
         alarm.shows(start.played, self._names)
         now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
         held = self._resets(n for (table, n), level in now.items() if table == "input" and level)
@@ -246,6 +262,7 @@ class _Alarm:
         self,
         exploration: Exploration,
         signs: Collection[Statement],
+        texts: Collection[str],
         good: Collection[RestState | None],
         names: ReaderNames,
     ) -> None:
@@ -256,7 +273,7 @@ class _Alarm:
         self._said = {at for at in self.at if all(use.value.lower() in ON for use in written[at])}
         outputs = (use.number for at in self.at for use in written[at])
         self._outputs = {int(number) for number in outputs if number.isdecimal()}
-        self._cycle, self._good = exploration.world.cycle, good
+        self._cycle, self._good, self._texts = exploration.world.cycle, good, set(texts)
         self._places = set(map(without_memory, good))
         self.levels = channel_levels(self._cycle.visit.timeline, inf)
         given = entries(exploration.world.settings, "input")
@@ -266,11 +283,19 @@ class _Alarm:
         # What has led to the alarm, the other way round.
         self.undone: Step = ()
 
+    def is_said(self, said: Iterable[str]) -> bool:
+        """True if one of its texts is said, or it has none that does not count."""
+        return not self._texts or not self._texts.isdisjoint(
+            " ".join(plain(each).strip("'\"").split()) for each in said
+        )
+
     def has_come(self, played: PlayedTimeline) -> bool:
-        """True if one of its statements has begun, but for what writes a value that it works out."""
-        return any(
+        """True if one of its statements has begun, but for what writes a value that it works out, with its text."""
+        since = played.trial.since
+        begun = any(
             one.at in (self._said or self.at) for some in played.trial.statements.values() for one in some
         )
+        return begun and self.is_said(each.text for each in played.trial.prints if each.time >= since)
 
     def distance(self, led: Transition) -> int:
         """Return how many inputs have another level behind a transition than at the begin of the cycle."""

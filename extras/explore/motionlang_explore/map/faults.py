@@ -36,8 +36,9 @@ from motionlang_explore.map.starts import LEFT
 
 # The machine is watched for so many cycles and s behind a change; after so much work no more is played.
 CYCLES, WATCHED, WORK = 3, 12.0, 3 * SECOND
-# A pause is no shorter, s; a longer one than usual is longer by a share and a time, s.
-PAUSE, SHARE, MORE = 0.05, 1.05, 0.02
+# A pause is no shorter, s; a longer one than usual is longer by a share and a time, s, and of a move or a given time if
+# so much of it is.
+PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.9
 SAID, SWITCHED, WRITTEN = "said", "switched", "written"
 _FIGURES, _MEASURED = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+")
 
@@ -274,7 +275,7 @@ def _counting(plays: Sequence[Sequence[_Came]]) -> set[Sign]:
 
 
 class _Doings(NamedTuple):
-    """When a run does anything, or a wait ends, with the lines, in order, and its pauses of a given time."""
+    """When a run does anything, or a wait ends, with the lines, in order, and its moves and pauses of a given time."""
 
     events: Sequence[tuple[float, int]]
     naps: Sequence[tuple[float, float]]
@@ -289,15 +290,19 @@ class _Doings(NamedTuple):
     def pause(self, time: float, since: float, usual: Mapping[int, float]) -> tuple[float, int]:
         """Return how long the machine has waited before a time, s, and behind what line; 0.0 if not longer than usual.
 
-        A pause in which the change comes is none, and neither is one of a given time.
+        A pause in which the change comes is none, and neither is a move or one of a given time.
         """
         end = time
         for begin, line in reversed(self.events[: bisect_left(self.events, (time, 0))]):
-            if end - begin >= PAUSE and not any(abs(a - begin) + abs(b - end) < MORE for a, b in self.naps):
+            if end - begin >= PAUSE and not self._is_nap(begin, end):
                 is_longer = begin >= since and end - begin > SHARE * usual[line] + MORE
                 return (end - begin, line) if is_longer else (0.0, 0)
             end = begin
         return 0.0, 0
+
+    def _is_nap(self, begin: float, end: float) -> bool:
+        """True if the machine has moved, or paused for a given time, for most of a pause."""
+        return any(min(b, end) - max(a, begin) > NAP * (end - begin) for a, b in self.naps)
 
 
 def _doings(exploration: Exploration, run: Run) -> _Doings:
@@ -307,4 +312,6 @@ def _doings(exploration: Exploration, run: Run) -> _Doings:
     for stream in (log.outputs, log.writes, log.prints):
         found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
     naps = [each[2:4] for each in log.waits if each.cause == "time" and each.until - each.since >= PAUSE]
+    moves = ((each.start_time, each.profile) for each in log.moves)
+    naps += [(time, time + profile.duration) for time, profile in moves if profile is not None]
     return _Doings(sorted(each for each in found if each[0] <= run.time), naps)
