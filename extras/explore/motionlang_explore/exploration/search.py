@@ -354,7 +354,8 @@ class Explorer:
                     said = self.part(trial, since, rest.end).prints
                     did += [each.time for each in said if each.at not in asks]
                 if did:
-                    until = max(*did, rest.begin)
+                    # A question is asked from then on.
+                    until = max(did if rest.question is not None else [*did, rest.begin])
                     self._link(source, back, how, rest.state, trial, since, until, known, is_over)
                 continue  # the same stay
             reached, way = self._reached(rest, trial)
