@@ -162,7 +162,14 @@ _RIGHT = _words(
     nl=r"\bgoede?\b",
 )
 # What a program says when it stops, but for its start.
-_STOPPED = _words(en=r"stopped|\bstop (?:pressed|button|key)")
+_STOPPED = _words(
+    en=r"stopped|\bstop (?:pressed|button|key)",
+    de=r"angehalten|gestoppt",
+    fr=r"arr[êe]t[ée]e?\b",
+    es=r"^paro\b|\bparad[oa]\b",
+    it=r"\bfermat[oa]\b|arrestat[oa]",
+    nl=r"gestopt",
+)
 
 
 def alarms_in(names: Iterable[Named]) -> frozenset[int]:

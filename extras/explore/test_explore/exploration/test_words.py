@@ -44,6 +44,10 @@ nessun pezzo
 STORING 4
 geen hoefijzer
 kap open
+PARO en fase 40
+machine arrêtée
+macchina fermata
+Anlage angehalten
 """
 RIGHT = """\
 6 out of 10 done
@@ -56,6 +60,7 @@ porte fermée
 puro no. 4
 vaschetta 2 piena: 24 ravioli
 keine Störung
+para salir pulse paro
 geen fouten
 sin fallos
 hoefijzer 3 klaar
