@@ -34,6 +34,8 @@ def test_a_signal_ends_what_plays_a_program(
     verb, *options = command.split()
     ran = cell(verb, "a.mnt", *options)
     assert ran.status == 143
+    if verb == "map":
+        assert "none so far: no axis moved\n" in ran.out
     if verb == "init":
         assert "# It was cut off" in (cell.folder / "a.machine.toml").read_text()
     if command.startswith("cover") and options[:1] != ["--suggest"]:

@@ -78,12 +78,13 @@ def cycle_line(behaviour: MachineBehaviour) -> str:
     lines = f"line{'s' if len(missed) > 1 else ''} {ranges(missed)}"
     others = f"; moves of {lines} were not played, so a good piece may take another cycle" if missed else ""
     fault = behaviour.exploration.fault_of(run)
-    bad = f"no good piece was found; the best cycle {fault}: " if fault else ""
+    so_far = "" if behaviour.exploration.interrupted is None else " so far"
+    bad = f"no good piece was found{so_far}; the best cycle {fault}: " if fault else ""
     if run.cycle is not None:
         then = f"; then the program ends: {_then(behaviour.ending)}" if behaviour.ending else ""
         return f"{bad}{run.cycle}{then}{others}"
     if not len(run.machine.log.moves):
-        return f"none: no axis moved{others}"
+        return f"none{so_far}: no axis moved{others}"
     return f"{bad}none; one run takes {run.time:.5g} s{others}"
 
 
