@@ -121,10 +121,12 @@ class Ends:
             ),
             default=None,
         )
+        if first is not None and first.target is None:  # the program ends
+            return ()
         cycle = self._exploration.world.cycle
         visits = list(dict.fromkeys((cycle.visit, *(each.visit for each in cycle.transitions))))[:MAX_VISITS]
         begins = [(at, Step((each,))) for at, each in product(visits, faults) if each.table == "input"]
-        if first is not None and first.target is not None:
+        if first is not None:
             begins += [(cycle.visit, first.causes)] * bool(first.causes) + [(first.visit, first.causes)]
         known = tuple(self._known)
         if not begins or (self._is_out_of_work and not known):
