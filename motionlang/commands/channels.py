@@ -23,8 +23,8 @@ from motionlang.kernel.tools import ranges
 
 # In the form of a statement: a call, in the head of a sub a parameter, an assignment to a variable, a result or TIME,
 # and what else gives a value.
-CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
-ASSIGNS = re.compile(r"(?:!?~|(?=TIME ))(\w+) = (.+)", re.DOTALL)
+_CALL, _PARAMETER = re.compile(r"!~(\w+)\(([^()]*)\)"), re.compile(r"Parameter \w+ \w+ ~(\w+)")
+_ASSIGNS = re.compile(r"(?:!?~|(?=TIME ))(\w+) = (.+)", re.DOTALL)
 _GIVES = re.compile(r"(?:For \(|Input .*?)~(\w+)", re.DOTALL)
 # The keys of the machine file that assign an input to an axis.
 _WIRED = re.compile(r"axis\.(\d+)\.(\w+)_input")
@@ -110,7 +110,7 @@ def channels(
     number of a channel or "".
     """
     found: dict[tuple[str, str], Channel] = {}
-    in_loops, parameters = polled(structure), given_numbers(structure)
+    in_loops, parameters = polled(structure), _given_numbers(structure)
     uses = [
         (
             each,
@@ -119,7 +119,7 @@ def channels(
         )
         for statement in structure.statements.values()
         for use in statement.channels
-        for each in with_number(use, parameters)
+        for each in _with_number(use, parameters)
     ]
     outputs = {use.number for use, *_ in uses if use.channel == "output" and use.access == WRITE}
     for use, waits, condition in uses:
@@ -147,26 +147,26 @@ def channels(
     return sorted(found.values(), key=order_of)
 
 
-def with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[ChannelUse]:
+def _with_number(use: ChannelUse, given: Mapping[str, Sequence[str]]) -> list[ChannelUse]:
     """Return the use of a channel, of each one if its number is a variable with known values."""
     numbers = given.get(use.alias.lower(), ()) if use.number == "?" else ()
     return [replace(use, number=each, alias="") for each in numbers] or [use]
 
 
-def parameters_of(structure: Structure) -> dict[str, list[str]]:
+def _parameters_of(structure: Structure) -> dict[str, list[str]]:
     """Return the names of the parameters of each sub, all in small letters."""
     return {unit.name.lower(): _PARAMETER.findall(unit.head) for unit in structure.units}
 
 
-def given_numbers(structure: Structure) -> dict[str, list[str]]:
+def _given_numbers(structure: Structure) -> dict[str, list[str]]:
     """Map variables, and parameters of subs, to the numbers that the program gives them, if all are known."""
-    names = parameters_of(structure)
+    names = _parameters_of(structure)
     found: dict[str, dict[str, None]] = {}
     for each in structure.statements.values():
-        assigned = ASSIGNS.fullmatch(each.form)
+        assigned = _ASSIGNS.fullmatch(each.form)
         given = [(name, "") for name in _GIVES.findall(each.form)]
         given += [(assigned[1], assigned[2])] if assigned is not None else []
-        for name, values in CALL.findall(each.form):
+        for name, values in _CALL.findall(each.form):
             given += zip(names.get(name, ()), values.split(", "), strict=False)
         for name, value in given:
             found.setdefault(name, {})[value] = None

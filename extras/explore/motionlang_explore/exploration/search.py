@@ -354,7 +354,7 @@ class Explorer:
                     said = self.part(trial, since, rest.end).prints
                     did += [each.time for each in said if each.at not in asks]
                 if did:
-                    # A question is asked from then on.
+                    # What a question prints when it is asked again is no effect.
                     until = max(did if rest.question is not None else [*did, rest.begin])
                     self._link(source, back, how, rest.state, trial, since, until, known, is_over)
                 continue  # the same stay
@@ -583,7 +583,7 @@ def _urgency(left: tuple[StateNode, Departure]) -> tuple[bool, int, bool, int, i
 
 
 def _later(causes: Causes, visit: Visit, way: Visit, since: float) -> Causes:
-    """Return those changes of a visit for a move that come in a later one or behind it; it ends at a time."""
+    """Return those changes of a visit for the middle of a move that come in a later visit, or after its end."""
     times = ((each, visit.change_time + each.moment.delay) for each in causes if each.moment.line)
     return tuple(
         each._replace(

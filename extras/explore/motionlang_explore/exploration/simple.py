@@ -81,7 +81,7 @@ MARKS, LENGTHS, ALL = 7, 3, 1000
 FIRST, PAIRS, REST = 8, 1, 2
 # The tables of the numbers that a host writes.
 HOSTS = ("comms", "netdata")
-# Levels and numbers that are tried, and the number of a lot, which is first, as of one there is no next piece.
+# Levels and numbers that are tried; the size of a lot comes first, since a lot of one has no next piece.
 USUAL, ABOVE, NUMBERS, LOT = 50.0, 100.0, (1, 2, 3, 100), 10
 
 Settings = Mapping[str, object]

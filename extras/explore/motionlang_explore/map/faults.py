@@ -12,7 +12,7 @@ import re
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import pairwise
+from itertools import accumulate, pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -36,9 +36,9 @@ from motionlang_explore.map.starts import LEFT
 
 # The machine is watched for so many cycles and s behind a change; after so much work no more is played.
 CYCLES, WATCHED, WORK = 3, 12.0, 3 * SECOND
-# A pause is no shorter, s; a longer one than usual is longer by a share and a time, s, and of a move or a given time if
-# so much of it is.
-PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.9
+# A pause is no shorter, s; a longer one than usual is so by a share and a time, s. A move or a given time is none, if
+# it leaves out no larger share at each end.
+PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.1
 SAID, SWITCHED, WRITTEN = "said", "switched", "written"
 _FIGURES, _MEASURED = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+")
 
@@ -60,8 +60,8 @@ class Fault(NamedTuple):
     """A change of the world with which a sign comes.
 
     `seconds` is how long the machine has paused before, behind what `line` does, 0.0 if not longer than usual. `behind`
-    is another sign that has come before, so many `times`. The machine `goes_on` if others have come
-    later, or it has come again behind another move.
+    is another sign that has come before, so many `times`. The machine `goes_on` if others have come later, or the same
+    one behind another move.
     """
 
     change: Change
@@ -108,7 +108,7 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
     base, nobody_resets = _without_resets(exploration, names)
     until = since + (LENGTH if run.cycle is None else CYCLES * run.cycle.period)
     until, most = until + WATCHED, exploration.work + WORK
-    usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest()
+    usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest
     statements = exploration.program.structure.statements
     asking = {at for at, each in statements.items() if any(use.channel == "answer" for use in each.channels)}
     plays, left, seen = list[list[_Came]](), dict[Change, bool](), set[int]()
@@ -118,9 +118,9 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
             continue
         left[change] = False
         played = exploration.run(settings, until)
-        seen |= {each.at for _, each in _signs(played)}
-        news = [each for each in _signs(played) if _kind(each[1]) not in usual]
-        signs = [each for each in news if each[1].at not in asking]
+        all_signs = _signs(played)
+        seen |= {each.at for _, each in all_signs}
+        signs = [each for each in all_signs if _kind(each[1]) not in usual and each[1].at not in asking]
         wrong = next((at for at, each in signs if is_trouble(each)), inf)
         signs = [each for each in signs if each[0] < wrong + PAUSE or is_trouble(each[1])]
         doings = _doings(exploration, played)
@@ -202,11 +202,9 @@ def _worlds(
         own = [each for each in entries(settings, "input") if number_in("input", each) == number]
         is_left = len(own) == 1 and own[0].keys() <= LEFT
         others = [0.0 if own[0].get("value", 1) else 1.0] if is_left else [0.0, 1.0] if own else [1.0]
-        past = [each for each in run.machine.log.inputs if each.channel == number and each.time < since]
-        was: list[Entry] = [{"at": each.time, "value": each.value} for each in past]
         for level in others:
             change = Change("input", number, level)
-            yield change, since, _given(settings, change, [*was, {"at": since, "value": level}])
+            yield change, since, changed(settings, run, change, since)
             if len(others) == 1 or not level:
                 always.append((change, _given(settings, change, [{"at": 0.0, "value": level}])))
     for change in _values(exploration):
@@ -216,6 +214,13 @@ def _worlds(
         yield change, since, _given(settings, change, [*own, {"value": change.value, "at": since}])
         always.append((change, _given(settings, change, [{"value": change.value, "at": 0.0}])))
     yield from ((change, 0.0, given) for change, given in always)
+
+
+def changed(settings: Settings, run: Run, change: Change, since: float) -> Settings:
+    """Return settings in which an input is as it was in a run until a time, s, and then as a change says."""
+    past = [each for each in run.machine.log.inputs if each.channel == change.number and each.time < since]
+    was: list[Entry] = [{"at": each.time, "value": each.value} for each in past]
+    return _given(settings, change, [*was, {"at": since, "value": change.value}])
 
 
 def _values(exploration: Exploration) -> list[Change]:
@@ -275,43 +280,44 @@ def _counting(plays: Sequence[Sequence[_Came]]) -> set[Sign]:
 
 
 class _Doings(NamedTuple):
-    """When a run does anything, or a wait ends, with the lines, in order, and its moves and pauses of a given time."""
+    """What a run does, in order: `longest` is its longest pause behind what each line does, s.
 
-    events: Sequence[tuple[float, int]]
-    naps: Sequence[tuple[float, float]]
+    `pauses` are those that are neither a move nor of a given time: their ends and begins, s, and their lines.
+    """
 
-    def longest(self) -> Mapping[int, float]:
-        """Return the longest pause behind what each line does, s."""
-        found = defaultdict[int, float](float)
-        for (begin, line), (end, _) in pairwise(self.events):
-            found[line] = max(found[line], end - begin)
-        return found
+    longest: Mapping[int, float]
+    pauses: Sequence[tuple[float, float, int]]
 
     def pause(self, time: float, since: float, usual: Mapping[int, float]) -> tuple[float, int]:
-        """Return how long the machine has waited before a time, s, and behind what line; 0.0 if not longer than usual.
+        """Return how long the machine has paused before a time, s, and behind what line; 0.0 if not longer than usual.
 
-        A pause in which the change comes is none, and neither is a move or one of a given time.
+        A pause in which the change comes is none.
         """
-        end = time
-        for begin, line in reversed(self.events[: bisect_left(self.events, (time, 0))]):
-            if end - begin >= PAUSE and not self._is_nap(begin, end):
-                is_longer = begin >= since and end - begin > SHARE * usual[line] + MORE
-                return (end - begin, line) if is_longer else (0.0, 0)
-            end = begin
+        before = bisect_right(self.pauses, (time, inf))
+        for end, begin, line in self.pauses[:before][-1:]:
+            if begin >= since and end - begin > SHARE * usual.get(line, 0.0) + MORE:
+                return end - begin, line
         return 0.0, 0
-
-    def _is_nap(self, begin: float, end: float) -> bool:
-        """True if the machine has moved, or paused for a given time, for most of a pause."""
-        return any(min(b, end) - max(a, begin) > NAP * (end - begin) for a, b in self.naps)
 
 
 def _doings(exploration: Exploration, run: Run) -> _Doings:
+    """Return the pauses between what a run does, and its waits but for a time end."""
     log, line = run.machine.log, exploration.line
     found = [(0.0, 0), *((each.start_time, each.line) for each in log.moves)]
     found += [(each.until, line(each.at)) for each in log.waits if each.at >= 0 and each.cause != "time"]
     for stream in (log.outputs, log.writes, log.prints):
         found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
-    naps = [each[2:4] for each in log.waits if each.cause == "time" and each.until - each.since >= PAUSE]
+    events = sorted(each for each in found if each[0] <= run.time)
     moves = ((each.start_time, each.profile) for each in log.moves)
-    naps += [(time, time + profile.duration) for time, profile in moves if profile is not None]
-    return _Doings(sorted(each for each in found if each[0] <= run.time), naps)
+    naps = [(time, time + profile.duration) for time, profile in moves if profile is not None]
+    naps = sorted([*naps, *(each[2:4] for each in log.waits if each.cause == "time")])
+    # The latest end of all moves and given times that have begun.
+    ends = list(accumulate((end for _, end in naps), max))
+    longest, pauses = defaultdict[int, float](float), list[tuple[float, float, int]]()
+    for (begin, at), (end, _) in pairwise(events):
+        longest[at] = max(longest[at], end - begin)
+        share = NAP * (end - begin)
+        begun = bisect_right(naps, (begin + share, inf))
+        if end - begin >= PAUSE and not (begun and ends[begun - 1] >= end - share):
+            pauses.append((end, begin, at))
+    return _Doings(longest, pauses)

@@ -24,6 +24,7 @@ from motionlang_explore.exploration import (
     is_pushed,
     number_in,
 )
+from motionlang_explore.map.faults import changed
 from motionlang_explore.map.names import ReaderNames
 from motionlang_explore.map.starts import LEFT
 
@@ -94,9 +95,8 @@ class _Played:
         settings = self._exploration.world.settings
         given = dict.fromkeys(number_in("input", each) for each in entries(settings, "input"))
         pushed = [number for number in given if is_pushed(names[f"input {number}"])]
-        released = reduce(
-            lambda made, number: _released(made, number, self._run, self._time), pushed, settings
-        )
+        offs = [Change("input", number, 0.0) for number in pushed]
+        released = reduce(lambda made, off: changed(made, self._run, off, self._time), offs, settings)
         goes_on = pushed and self._behind(*self._exploration.play_in(released, self._until)) == -1
         return released if goes_on else settings
 
@@ -135,14 +135,6 @@ def _acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
     found += [(each.time, exploration.line(each.at)) for each in log.outputs if each.at >= 0]
     found += [(each.time, exploration.line(each.at)) for each in log.prints if each.at >= 0]
     return sorted(found)
-
-
-def _released(settings: Mapping[str, object], number: int, run: Run, time: float) -> dict[str, object]:
-    """Return settings in which an input is as it was in a run until a time, and then off."""
-    others = [each for each in entries(settings, "input") if each["channel"] != number]
-    levels = [(at, level) for at, channel, level in run.machine.log.inputs if channel == number and at < time]
-    was = [{"channel": number, "at": at, "value": level} for at, level in [*levels, (time, 0)]]
-    return {**settings, "input": [*others, *was]}
 
 
 def _changes(exploration: Exploration, settings: Mapping[str, object]) -> Iterator[Change]:
