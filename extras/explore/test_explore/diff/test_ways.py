@@ -192,6 +192,10 @@ VERDICTS = [
     pytest.param(HEAD + 'Dim t As Integer\nLoop\n  t = TIME\n  PAUSE INX(1) Or TIME - t > 150000\n  PRINT "on"\n'
      "  PAUSE Not INX(1)\nEnd Loop\n", "150000", "190000", "start (200 s apart): 'on' comes 40.000 s later in B",
      marks=pytest.mark.slow),
+    # An input that comes before a time-out that begins later in B.
+    ('Dim t As Integer\nPAUSE INX(2)\nOUTX(1) = 1\nWAIT = 500\nIf INX(1) Then PRINT "early"\nt = TIME\n'
+     'PAUSE INX(1) Or TIME > t + 2000\nIf INX(1) Then PRINT "hand" Else PRINT "none"\n', "500", "1500",
+     "2 differ in time alone\nonly the time differs:\n"),
     # An output that is off at the same time, an input that comes as often as it must, and the place of a text.
     (LOOP.format(f"  MOVEA(0) = 100 : GO(0)\n  PAUSE POS(0) > 60\n  OUTX(3) = 1\n  PAUSE IDLE(0)\n  OUTX(3) = 0\n"
                  f"  MOVEA(0) = 0{GO}"), "> 60", "> 70", "output 3 on comes 0.100 s later in B"),

@@ -180,6 +180,22 @@ def test_an_input_that_is_read_by_a_computed_channel_is_written(cell: Cell) -> N
     assert [each["channel"] for each in found] == [4]  # type: ignore[attr-defined]
 
 
+@pytest.mark.parametrize(
+    ("columns", "note"),
+    [
+        ("in5", "input 5 is recorded, and the program never reads it: left out"),
+        ("in5,in6", "inputs 5 and 6 are recorded, and the program never reads them: left out"),
+    ],
+)
+def test_inputs_that_the_program_never_reads_are_left_out(cell: Cell, columns: str, note: str) -> None:
+    cell.write("grip.mnt", "OUTX(0) = 1\nPause INX(4)\nOUTX(0) = 0\n")
+    more = ",0" * len(columns.split(","))
+    rows = [f"{k / 100},{int(k >= 70)},{int(20 <= k < 70)}{more}" for k in range(200)]
+    cell.write("rec.csv", "\n".join([f"time_s,in4,out0,{columns}", *rows, ""]))
+    ran = cell("init", "grip.mnt", "--recording", "rec.csv", "--format", "none")
+    assert f"note: {note}\n" in ran.err
+
+
 @pytest.mark.parametrize(("changes", "is_named"), [(3, False), (4, True)])
 def test_an_input_without_a_pulse_is_named_if_the_run_lacks_more_than_three_changes(
     cell: Cell, changes: int, is_named: bool
@@ -299,6 +315,12 @@ def test_a_change_just_at_the_beginning_is_the_first_level() -> None:
     inputs = {3: Digital("in3", 0, (LevelChange(2.0, 1), LevelChange(5.0, 0)))}
     later = since(MeasuredRecording(0.0, 12.0, inputs=inputs), 2.0)
     assert later.inputs[3] == Digital("in3", 1, (LevelChange(3.0, 0),))
+
+
+def test_the_times_of_a_fast_clock_are_divided_by_its_rate() -> None:
+    """The clock of the recording counts 2 s a second."""
+    later = since(MeasuredRecording(3.0, 13.0, 0.2), 1.0, 2.0)
+    assert (later.begin, later.end, later.step) == (1.0, 6.0, 0.1)
 
 
 FEED = """\

@@ -180,6 +180,16 @@ def test_what_a_hand_does_while_the_run_goes_back_comes_behind_it(tmp_path: Path
         assert [time for time, _ in hand.record] == [0.16, 0.2]
 
 
+def test_a_run_to_the_next_rest_that_is_asked_for_on_the_way_back_may_end_there(tmp_path: Path) -> None:
+    with operated(tmp_path / "press.mnt", PRESS) as hand:
+        time = hand.rests()["t"]
+        with hand.busy():
+            hand("back", time=time)
+            hand("rest")
+        hand.hears("back at 0.16 s")
+        assert hand.sees(lambda state: state["mode"] == "paused")["t"] == time == 0.16
+
+
 def test_machine_time_stands_until_a_question_is_answered(tmp_path: Path) -> None:
     text = 'Dim n\nInput "How many", n\nPrint n\nPause INX(1)\n'
     with operated(tmp_path / "ask.mnt", text) as hand:
@@ -199,6 +209,13 @@ def test_an_input_whose_number_is_computed_is_the_one_that_the_line_reads_now(tm
         hand.set(4, 1)
         state = hand.rests()
         assert (state["read"], state["waits"]) == ([4, 5], [("input", 5, 5)])
+
+
+def test_a_wait_whose_time_is_read_from_a_computed_channel_shows_it_to_its_end(tmp_path: Path) -> None:
+    """The second wait is longer than the first one, which is the known period of the loop."""
+    text = "Dim n, t\nn = 3\nt = 100\nLoop\nWAIT(t + ADC(n))\nt = 900\nEnd Loop\n"
+    with operated(tmp_path / "wait.mnt", text) as hand:
+        assert hand.rests()["waits"] == [("analogue", 3, 5)]
 
 
 def test_an_answer_is_for_its_own_question(tmp_path: Path) -> None:
