@@ -25,7 +25,8 @@ depend on data, so that the repetition covers less with them, they do not count.
 itself.
 
 A piece has what comes once in it. A shorter repetition with a print of its own is a piece, and what is longer holds
-several. A print that comes once in up to eight repetitions makes them one. Without prints, the repetitions are one
+several, even if a refill takes as long as all its pieces. A print that comes once in up to eight repetitions makes
+them one. Without prints, the repetitions are one
 whose targets come again, or advance by a constant: the moves of a table on one line. Where the task that moves most
 rests between its repetitions, another one may order its steps: if that prints once in a cycle, its cycle is the piece.
 
@@ -55,9 +56,10 @@ from motionlang.kernel.log.move import CONTINUED
 MIN_OCCURRENCES = 3
 # The share of the blocks with what is typical of them; what occurs twice in a cycle may be in two of three.
 USUAL = 0.67
-# A shorter cycle covers as much of the time of a longer one, and has more of its axes unless it prints; it is more
-# frequent than so many times, and has more of its keys or moves, if the longer one is regular or not.
-MIN_TIME, MIN_AXES = 0.9, 0.5
+# A shorter cycle covers as much of the time of a longer one, or half of it if it prints more often than so many times,
+# and has more of its axes unless it prints; it is more frequent than so many times, and has more of its keys or moves,
+# if the longer one is regular or not.
+MIN_TIME, PIECES, MIN_AXES = 0.9, 0.5, 0.5
 REGULAR, IRREGULAR = (3, 0.67), (1, 0.5)
 # If a regular one has a print that the shorter one lacks, that is more frequent than so many prints.
 PRINTED = 8
@@ -435,8 +437,11 @@ class _Sequence:
             least = PRINTED * max(left) if left else least
         one, all_ = ([len(each.typical), self._moves(each)] for each in (short, long))
         axes, all_axes = self._axes(short.typical), self._axes(long.typical)
+        share = MIN_TIME
+        if self.prints(short) and short.blocks > PRINTED * long.blocks:
+            share, keys = PIECES, IRREGULAR[1]
         return (
-            short.covered >= MIN_TIME * long.covered
+            short.covered >= share * long.covered
             and short.blocks > least
             and any(a > keys * b for a, b in zip(one, all_, strict=True))
             and (self.prints(short) or len(axes) > MIN_AXES * len(all_axes))

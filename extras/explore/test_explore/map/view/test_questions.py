@@ -120,7 +120,7 @@ QUESTIONS = {
         "what must be there before the first stroke?": [
             "input 3 (start) on and input 4 (guard) on → 73, 0.00 s: output 2 (lampRun) on"
         ],
-        "how long does a batch of ten take?": ["6.7079 s, 6 times (lines 67 to 104)"],
+        "how long does a stroke take?": ["0.67079 s, 447 times (lines 75 to 90)"],
         "what does the press wait for after it has fed?": [
             "axis 0 (feed roll) to 10 at 282.843; output 0 (clutch) on waits in 82: Pause Not INX(0) [input 0 (top dead"
         ],
