@@ -43,11 +43,13 @@ from motionlang_explore.exploration.changes import (
     TEXTS,
     Change,
     Channel,
+    Moment,
     Timeline,
     channel_levels,
     entries,
     in_words,
     keys_of,
+    made_at,
     made_by,
     number_in,
     tables_of,
@@ -61,6 +63,7 @@ from motionlang_explore.exploration.exploring import (
     explored,
     without_world,
 )
+from motionlang_explore.exploration.likely import OFF
 from motionlang_explore.exploration.rests import (
     SHORTEST_REST,
     Rest,
@@ -96,6 +99,7 @@ from motionlang_explore.identification import Entry
 __all__ = [
     "HORIZON",
     "LENGTH",
+    "OFF",
     "PIECE",
     "SECOND",
     "SECONDS",
@@ -113,6 +117,7 @@ __all__ = [
     "FoundWorld",
     "Interrupted",
     "MachineCycle",
+    "Moment",
     "PlayedTimeline",
     "Progress",
     "Rest",
@@ -137,6 +142,7 @@ __all__ = [
     "keys_of",
     "levels",
     "lines_of",
+    "made_at",
     "made_by",
     "names_alarm",
     "number_in",

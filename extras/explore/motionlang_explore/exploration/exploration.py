@@ -13,6 +13,7 @@ from motionlang_explore.exploration.changes import (
     AT_REST,
     Change,
     Channel,
+    Moment,
     Timeline,
     entries,
     number_in,
@@ -20,6 +21,7 @@ from motionlang_explore.exploration.changes import (
 )
 from motionlang_explore.exploration.cycles import MachineCycle, cycles
 from motionlang_explore.exploration.playing import TIMES, played
+from motionlang_explore.exploration.questions import PERIOD
 from motionlang_explore.exploration.rests import (
     Rest,
     RestState,
@@ -29,6 +31,7 @@ from motionlang_explore.exploration.simple import fault_of, neighbours
 from motionlang_explore.exploration.switches import TURNING, encoder_entry
 from motionlang_explore.exploration.trials import (
     HORIZON,
+    NOWHERE,
     Act,
     Trial,
 )
@@ -124,7 +127,7 @@ class Exploration:
 
         A line whose moves are always cut off without such a change, too, such as a jog to a mark, is left out, and what
         a good cycle cuts off. Of several changes each is charged with what none of the others cuts off by itself, and
-        an input that comes and goes from an earlier state on with nothing.
+        an input that comes and goes from an earlier state on with nothing; one that does so in the move is told so.
         """
         usual, done = set[int](), set[int]()
         trials: list[tuple[set[Change], set[Change], set[int]]] = []
@@ -132,9 +135,9 @@ class Exploration:
             if any(one.moment.line for _, one in each.visit.timeline):
                 continue
             cut = {line for line, ended in each.does.moves if ended}
-            changes = {one._replace(prompt="", moment=AT_REST) for one in each.causes if one.moment.line}
+            changes = {_at_rest(one)._replace(prompt="") for one in each.causes if one.moment.line}
             if changes:
-                trials.append((changes, {one._replace(moment=AT_REST) for one in each.causes}, cut))
+                trials.append((changes, set(map(_at_rest, each.causes)), cut))
             else:
                 usual |= cut
                 done |= each.done
@@ -147,6 +150,8 @@ class Exploration:
             for one in changes:
                 others = (found[other] for other in made & movable if other.channel != one.channel)
                 found[one] |= cut - usual - set[int]().union(*others)
+        for one in found:
+            found[one] -= found.get(one._replace(moment=AT_REST), set()) if one.moment != AT_REST else set()
         return {one: cut for one, cut in found.items() if cut}
 
     def acts(self, trial: Trial, since: float) -> tuple[Act, ...]:
@@ -167,10 +172,24 @@ class Exploration:
         """Add settings for all later plays."""
         self._explorer.trials.give(settings)
 
-    def play(self, timeline: Timeline, since: float = 0.0, patience: float = HORIZON) -> PlayedTimeline:
-        """Play the changes of a timeline from power-up for `patience`, s; record what the tasks do from a time on."""
-        trial = self._explorer.trials.play(timeline, since, patience=patience)
-        return PlayedTimeline(trial, self._explorer.trials.last, self._explorer.rests(trial))
+    def play(
+        self,
+        timeline: Timeline,
+        since: float = 0.0,
+        patience: float = HORIZON,
+        world: Mapping[str, object] = NOWHERE,
+    ) -> PlayedTimeline:
+        """Play the changes of a timeline from power-up; record what the tasks do from a time on.
+
+        It is played for `patience`, s, and without a `world` until no axis is on its way to an end any more.
+        """
+
+        def is_settled(trial: Trial) -> bool:
+            return bool(world) and trial.time >= max((since, *(time for time, _ in timeline))) + patience
+
+        trials = self._explorer.trials
+        trial = trials.play(timeline, since, is_settled, inf if world else patience, world)
+        return PlayedTimeline(trial, trials.last, self._explorer.rests(trial))
 
     def play_in(self, settings: Mapping[str, object], until: float) -> PlayedTimeline:
         """Play the program in the world with some entries of a machine file, up to a time, s."""
@@ -256,3 +275,8 @@ class Exploration:
         node = self._explorer.nodes.get(state)
         read = [] if node is None else [at for at, channels in node.reads.items() if channel in channels]
         return self.line(min(read or (at for place in state for at in place.statements)))
+
+
+def _at_rest(change: Change) -> Change:
+    """Return a change at rest; one that comes and goes does so once."""
+    return change._replace(moment=Moment(every=PERIOD) if change.moment.every else AT_REST)

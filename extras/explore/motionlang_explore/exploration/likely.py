@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from typing import TYPE_CHECKING
 
 from motionlang.kernel import Source
@@ -41,11 +41,15 @@ ON: Entry = {"at": 0.0}
 ASKED: Entry = {"asked": DELAY}
 PUSHED: Entry = {**ASKED, "for": PUSH}
 QUICK: Entry = {"asked": 0.02}
+# The values with which an output is switched off.
+OFF = ("0", "_off", "_false")
 # What a remark behind a name says of a level, such as (0 = shut).
 _LEVELS = re.compile(
     r"\W{1,3}(?:([01]|low|high) *= *([^\W\d]+)|([^\W\d]+) *= *([01])\b)(?:\W{1,3}([01]|low|high) *= *([^\W\d]+))?",
     re.IGNORECASE,
 )
+# A remark in brackets right behind a name, but for what it says of levels.
+_MORE = re.compile(r"^ *\(([^()=]*)\)")
 # The names of a program in the form of a statement.
 _NAMES = re.compile(rf"{NAME}(\w+)")
 # Where a word of doorClosed or di_Door begins.
@@ -59,8 +63,9 @@ class Likely:
         names = defaultdict[tuple[str, int], str](str)
         self._steady: dict[int, Entry] = {}
         for each in named:
-            names[each.kind, each.number] += f" {_WORD.sub(' ', each.name)}"
             remark = source.line(each.line).partition(each.name)[2] if each.line else ""
+            more = "".join(_MORE.findall(remark))
+            names[each.kind, each.number] += f" {_WORD.sub(' ', each.name)}{more}"
             if each.kind in ("input", "channel") and (level := _good_level(remark)) is not None:
                 self._steady[each.number] = {**ON} if level else {}
         # The channels of a controller with one series are inputs or outputs.
@@ -106,32 +111,37 @@ class Likely:
         led = self._led - self._passed
         return self._bad.union({at for at, is_text in led if is_text} or (at for at, _ in led))
 
-    def rules(self, number: int, *, by_name: bool = True) -> list[Entry]:
-        """Return the rules of an input that its name and the outputs before it suggest, which come first without."""
+    def rules(self, number: int, *, by_name: bool = True, by_place: bool = True) -> list[Entry]:
+        """Return the rules of an input that its name and the outputs before it suggest, which come first without.
+
+        Not `by_place` what has no output by its name is on.
+        """
         name = self._names.get(("input", number), "")
-        before = self._before.get(number, ())
+        before = self._before.get(number, {})
         shares = [
             output
             for (kind, output), other in self._names.items()
-            if kind == "output" and not _stems(other).isdisjoint(_stems(name))
+            if kind == "output" and not (SHOWN.search(other) or _stems(other).isdisjoint(_stems(name)))
         ]
         shares.sort(key=lambda output: output not in before)
-        levels: list[Entry] = [{}, {"value": 0}]
-        if BACK.search(name):
-            levels.reverse()
-        behind = [{"output": each, "delay": SOON, **level} for each in shares[:2] for level in levels]
+        behind = _behind(name, shares[:2], before)
         by_word: tuple[tuple[re.Pattern[str], Entry], ...] = ((ABSENT, {}), (STEADY, ON), (BY_HAND, PUSHED))
         said = [self._steady[number]] if number in self._steady else []
         said += [{**rule} for words, rule in by_word if words.search(name)]
-        others = [
-            {"output": each, "delay": SOON, **level}
-            for each in before
-            if each not in shares
-            for level in levels
-        ]
+        others = _behind(name, [each for each in before if each not in shares] if by_place else [], before)
         found = [*behind, *said, *others] if by_name else [*said, *others, *behind]
         found += [{**ON}, {**QUICK}, {**PUSHED}]
         return [each for k, each in enumerate(found) if each not in found[:k]]
+
+
+def _behind(name: str, outputs: Iterable[int], before: Mapping[int, Set[bool]]) -> list[Entry]:
+    """Return the rules of an input behind outputs: first on without one that its name or the text before it has off."""
+    found = list[Entry]()
+    for each in outputs:
+        is_back = bool(BACK.search(name)) or True not in before.get(each, {True})
+        levels: list[Entry] = [{"value": 0}, {}] if is_back else [{}, {"value": 0}]
+        found += [{"output": each, "delay": SOON, **level} for level in levels]
+    return found
 
 
 def _good_level(remark: str) -> bool | None:
@@ -147,27 +157,31 @@ def _good_level(remark: str) -> bool | None:
 
 def _switched_before(
     structure: Structure, names: Mapping[tuple[str, int], str]
-) -> Mapping[int, Sequence[int]]:
-    """Return the outputs that are switched last before each input is read, by the order of the text, but for lamps."""
-    owners, last = structure.owners(), dict[str, int]()
-    found = defaultdict[int, dict[int, None]](dict)
+) -> Mapping[int, Mapping[int, Set[bool]]]:
+    """Return the outputs that are switched last before each input is read, by the order of the text, but for lamps.
+
+    They come with what was written last, True unless it is off.
+    """
+    owners, last = structure.owners(), dict[str, tuple[int, bool]]()
+    found = defaultdict[int, dict[int, set[bool]]](dict)
     for at, each in sorted(structure.statements.items()):
         unit = owners.get(at, "")
         for use in (one for one in each.channels if one.number.isdecimal()):
             number = int(use.number)
             if (use.channel, use.access) == ("input", "read") and unit in last:
-                found[number][last[unit]] = None
+                output, is_on = last[unit]
+                found[number].setdefault(output, set()).add(is_on)
         switched = [
-            int(use.number)
+            (int(use.number), use.value.lower() not in OFF)
             for use in each.channels
             if (use.channel, use.access) == ("output", WRITE) and use.number.isdecimal()
         ]
-        shown = [one for one in switched if not SHOWN.search(names.get(("output", one), ""))]
+        shown = [one for one in switched if not SHOWN.search(names.get(("output", one[0]), ""))]
         if shown:
             last[unit] = shown[-1]
         elif each.moves:
             last.pop(unit, None)
-    return {number: list(each) for number, each in found.items()}
+    return found
 
 
 def _counting(structure: Structure, means: Callable[[str], bool]) -> Iterator[int]:

@@ -117,7 +117,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     work = explorer.trials.work
     explorer.trials.limit = explorer.whole = max(explorer.whole, work + OWN * explorer.whole)
     first = _tried(explorer, found.settings)
-    if not first.is_good:
+    if not _does_work(explorer, first):
         explorer.trials.limit = explorer.whole = max(explorer.whole, work + SEARCHED * explorer.whole)
     channels, least = _channels(explorer), max(min(first.times, ENOUGH), 1)
     if not first.stands:
@@ -130,12 +130,14 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         off = [
             each for each in first.read if each[0] == "input" and each in channels and each[1] not in given
         ]
-        first = _with_less(explorer, _right_branch(explorer, off, first, least), least)
+        first = _right_branch(explorer, off, first, least)
+    if works := _does_work(explorer, first):
+        first = _with_less(explorer, first, least)
     if first.settings != found.settings:
         found = found._replace(settings=first.settings, run=first.run)
     best, world = first, found
     # Rejects are more different lines: what does good work is left as it is.
-    likely = () if _does_work(explorer, first) else _likely_starts(explorer, channels, found)
+    likely = () if works else _likely_starts(explorer, channels, found)
     simple = _simple_starts(explorer, channels, found, likeliest, first)
     for starts, share in ((likely, LIKELY), (simple, 1.0)):
         does_enough = best is first or _is_enough(best)
@@ -145,7 +147,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
         for settings, other in starts:
             if explorer.has_work:
                 tried.append((_tried(explorer, settings, least), other))
-        others = (each for each in tried if not _gives_up(each[0], first))
+        others = (each for each in tried if not (works and _gives_up(each[0], first)))
         best, world = max([(best, world), *others], key=lambda each: _rank(each[0]))
         # Where less answers the program waits sooner.
         starting = {each[0].begun: each for each in tried}.values()
@@ -155,7 +157,7 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
                 break
             start = _within_limits(explorer, channels, start, least)
             climbed = _climbed(explorer, channels, start, least, most)
-            if _rank(climbed) > _rank(best) and not _gives_up(climbed, first):
+            if _rank(climbed) > _rank(best) and not (works and _gives_up(climbed, first)):
                 best, world = climbed, other
     is_better = best.is_good > first.is_good or best.value >= first.value + MORE
     if best is first or best.is_good < first.is_good or not is_better:
@@ -171,8 +173,10 @@ def _likely_starts(
     """Yield worlds in which each input has its likeliest rule by name, or by place; what is likely off is so, or on."""
     bare, starts = _bare(channels, found), list[Settings]()
     inputs = sorted(number for table, number in channels if table == "input")
-    for more, by_name, off in product(({}, _asked(bare)), (True, False), ({}, ON)):
-        rules = ((number, explorer.likely.rules(number, by_name=by_name)[0] or off) for number in inputs)
+    ways = ((True, True), (True, False), (False, True))
+    for more, (by_name, by_place), off in product(({}, _asked(bare)), ways, ({}, ON)):
+        own = ((each, explorer.likely.rules(each, by_name=by_name, by_place=by_place)) for each in inputs)
+        rules = ((number, each[0] or off) for number, each in own)
         made = [{"channel": number, **rule} for number, rule in rules if rule]
         starts.append({**bare, **more, "input": made})
     yield from ((each, found) for k, each in enumerate(starts) if each not in starts[:k])
@@ -247,7 +251,10 @@ def _with_less(explorer: Explorer, first: Tried, least: int) -> Tried:
         goes_further = less.value > first.value and _judges(explorer, first, less)
         is_needless = not rule and usual <= left and first.read.keys() >= {*some}
         is_needless &= less.times > first.times or (less.times == first.times and left == usual)
-        if less.is_good and (only_says or goes_further or is_needless):
+        # What is on before it is asked for may spare an alarm.
+        spares = bool(rule) and less.faults < first.faults and less.times >= first.times
+        spares &= {kind for kind, _ in usual - left} <= {OUTPUT}
+        if less.is_good and (only_says or goes_further or is_needless or spares):
             first = less
     return first
 

@@ -33,6 +33,8 @@ from motionlang_explore.exploration.recorder import (
 )
 from motionlang_explore.exploration.roles import written_at
 
+# A world without an entry.
+NOWHERE: Mapping[str, object] = {}
 # A trial lasts until so long after its last change, s; shorter if it is settled by one of the times before, and longer
 # while an axis is on its way to an end.
 HORIZON = 12.0
@@ -227,6 +229,7 @@ class Trials:
         self.seen: set[Seen] = set()
         # True if trials record how conditions come out.
         self.observes = False
+        self._world = NOWHERE
         self._forget()
 
     def __getstate__(self) -> dict[str, object]:
@@ -279,11 +282,15 @@ class Trials:
         since: float,
         is_settled: Callable[[Trial], bool] = lambda trial: False,
         patience: float = HORIZON,
+        world: Mapping[str, object] = NOWHERE,
     ) -> Trial:
         """Run the program with a timeline, for `patience`, s, and until no axis is on its way to an end any more.
 
-        It ends earlier if `is_settled` is true of what it has done so far.
+        It ends earlier if `is_settled` is true of what it has done so far. The entries of a `world` come with it.
         """
+        if world != self._world:
+            self._world = world
+            self._forget()
         # No more than three changes come at once.
         self.tell(in_words(each for at, each in timeline[-3:] if at == timeline[-1][0]) or "start")
         self.count += 1
@@ -348,7 +355,7 @@ class Trials:
         on, self._start = tuple(each for each in timeline if each[0] <= 0.0), None
         if self._power_up is None or self._power_up.on != on:
             recorder = self._recorder(0.0)
-            made = self._run(tables_of(on), 0.0, recorder)
+            made = self._run(merged(self._world, tables_of(on)), 0.0, recorder)
             self._power_up = PowerUp(on, Snapshot(made.machine.scheduler), recorder, made)
         recorder, made = self._power_up.recorder, self._power_up.run
         self._power_up.snapshot.restore()

@@ -81,7 +81,7 @@ BACK = _words(
 )
 # In the name of an output: what only shows something, and what is switched on when something is wrong.
 SHOWN = _words(
-    en=r"lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b",
+    en=r"(?<!c)lamp|light|beacon|horn|bell|buzz|siren|green|\bred\b",
     de=r"leuchte|hupe",
     fr=r"voyant|lampe",
     es=r"\bluz\b|l[áa]mpara|piloto|\broj[oa]\b|\bverde\b",
@@ -89,9 +89,10 @@ SHOWN = _words(
     nl=r"\brood\b|\bgroen\b|zoemer|toeter",
 )
 ALARM = _words(
-    en=r"alarm|(?<!de)fault|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b",
+    en=r"alarm|(?<!de)fault|trouble|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b"
+    r"|\b(?:lamp|light|beacon)\b.*\b(?:out|empty|low)\b",
     de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b",
-    fr=r"d[ée]faut|rebut|rouge|mauvais",
+    fr=r"d[ée]faut|\bpanne|rebut|rouge|mauvais",
     es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz|\bmal[oa]s\b",
     it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
     nl=r"storing|\bfout|\brood\b|\brode\b|afkeur|uitval",
