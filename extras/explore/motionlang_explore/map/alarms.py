@@ -13,14 +13,12 @@ from functools import partial
 from typing import NamedTuple
 
 from motionlang.kernel.lang import PRINTS, WRITE, Statement, Structure
-from motionlang_explore.exploration import Change, Exploration, Transition, is_reset, is_wrong, lines_of
+from motionlang_explore.exploration import OFF, Change, Exploration, Transition, is_reset, is_wrong, lines_of
 from motionlang_explore.map.faults import SAID, SWITCHED, WRITTEN, Fault, Sign, faults_of
 from motionlang_explore.map.guards import Guards
 from motionlang_explore.map.names import ReaderNames, is_alarm
 from motionlang_explore.map.state_names import MAX_RANGES
 
-# The values with which an output is switched off.
-_OFF = ("0", "_off", "_false")
 # The code of a character is nothing that is said.
 _CODE = re.compile(r"""\b(?:Asc\(|INKEY\s*=\s*)["'][^"']*["']""", re.IGNORECASE)
 _TEXT = re.compile(r'"([^"]*)"')
@@ -176,7 +174,7 @@ def _says_wrong(exploration: Exploration, sign: Sign, way: Transition) -> bool:
 
 def _signs_of(exploration: Exploration, statement: Statement, names: ReaderNames) -> list[Sign]:
     """Return what a statement says or switches on in trouble, by its text."""
-    written = [use for use in statement.channels if use.access == WRITE and use.value.lower() not in _OFF]
+    written = [use for use in statement.channels if use.access == WRITE and use.value.lower() not in OFF]
     outputs = [f"{use.channel} {use.number}" for use in written]
     signs = [Sign(SWITCHED, statement.at, each) for each in outputs if each in names.alarms]
     is_said = statement.effect == PRINTS and all(use.channel != "answer" for use in statement.channels)

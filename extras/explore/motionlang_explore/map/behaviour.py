@@ -23,6 +23,7 @@ from motionlang_explore.exploration import (
     Change,
     Effect,
     Exploration,
+    Moment,
     RestState,
     StateNode,
     Transition,
@@ -314,15 +315,19 @@ class _Words:
         return "the end" if target is None else self.state_names[target]
 
     def kept(self, node: StateNode) -> list[Transition]:
-        """Return transitions, those with fewer changes first, without those that happen by fewer, or none, as well."""
+        """Return transitions, those with fewer changes first, without those that happen by fewer, or none, as well.
+
+        An input that comes and goes more often, and leads to the same state, is left out, too.
+        """
         names, same = self.state_names, defaultdict[Hashable, list[Transition]](list)
-        given = [
-            (each, (self.to(each.target), *names.changed(each.source, each.target)))
-            for each in sorted(node.transitions, key=lambda each: len(each.causes))
-            if _is_in_time(each)
-        ]
-        for each, leads in given:
-            same[leads].append(each)
+        given, known = list[tuple[Transition, Hashable]](), set[Hashable]()
+        for each in sorted(node.transitions, key=lambda each: (len(each.causes), _times(each))):
+            leads = self.to(each.target), *names.changed(each.source, each.target)
+            does = _once_each(each), leads
+            if _is_in_time(each) and not (_times(each) and does in known):
+                known.add(does)
+                given.append((each, leads))
+                same[leads].append(each)
         return [each for each, leads in given if not any(_replaces(one, each) for one in same[leads])]
 
     def refused(self, node: StateNode) -> Iterator[TransitionRow]:
@@ -428,6 +433,20 @@ def _is_in_time(each: Transition) -> bool:
     """True if the moves have begun in which its changes come."""
     begun = {line for line, _ in each.does.moves} | each.visit.moved
     return all(not one.moment.line or one.moment.line in begun for one in each.causes)
+
+
+def _times(each: Transition) -> int:
+    """Return how often an input comes and goes at most in a transition, 0 if none does."""
+    return max((one.moment.times for one in each.causes if one.moment.every), default=0)
+
+
+def _once_each(each: Transition) -> tuple[Change, ...]:
+    """Return the changes of a transition as if all that come and go did so once."""
+    once = Moment(every=1.0)
+    return tuple(
+        one._replace(moment=once._replace(line=one.moment.line)) if one.moment.every else one
+        for one in each.causes
+    )
 
 
 def _replaces(other: Transition, each: Transition) -> bool:

@@ -1,17 +1,16 @@
 """What ends an alarm: it is played.
 
-At the rest behind an alarm all channels get the levels that they have where the good cycle begins, or what has led
-there is taken back. Then one channel after the other that is read at rest is changed, until the outputs of the alarm
-are off, or the machine is where it comes without an alarm that has none, and it does not come again for a while. Of
-these changes those are left out without which that happens as well.
+It begins in the world of the good cycle by what it comes by, or as it was seen, and all inputs stay as they are then.
+At the rest behind it, what has led there may be taken back. Then one channel after the other that is read at rest is
+changed, until the outputs of the alarm are off, or the machine is where it comes without an alarm that has none, and it
+does not come again for a while. Of these changes those are left out without which that happens as well.
 """
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict, deque
-from collections.abc import Collection, Iterable, Iterator, Sequence
-from itertools import product
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -20,6 +19,7 @@ from motionlang.kernel import Run
 from motionlang.kernel.lang import WRITE, Statement
 from motionlang_explore.exploration import (
     SECOND,
+    TEXTS,
     Change,
     Channel,
     Exploration,
@@ -33,29 +33,38 @@ from motionlang_explore.exploration import (
     channel_levels,
     entries,
     is_reset,
+    made_at,
     number_in,
     without_memory,
 )
+from motionlang_explore.map.faults import Fault, inputs_until
 from motionlang_explore.map.names import ReaderNames
 
-# So many changes are tried behind each begin, at so many places of the cycle an alarm may begin, and in all alarms no
-# more is tried once they have done so much work.
-MAX_TRIED, MAX_VISITS, WORK = 20, 4, 3 * SECOND
+# So many changes are tried behind each begin, and in all alarms no more is tried once they have done so much work.
+MAX_TRIED, WORK = 20, 3 * SECOND
 # The number of an alarm in a text.
 _CODE = re.compile(r"\d")
+# A machine is watched for so long behind an alarm, and each change, s.
+PATIENCE = 12.0
 # An alarm is over if it does not come again for so long, s.
 AWHILE = 1.0
 # The values with which an output is switched on.
 ON = ("1", "_on", "_true")
+Settings = Mapping[str, object]
 # The changes of an end, in order; those of one step come together.
 Step = tuple[Change, ...]
 Steps = tuple[Step, ...]
 
 
 class _Reached(NamedTuple):
-    """What some steps have led to: the run, and the rest in which it stays, None if there is none."""
+    """What some steps have led to in a world: the run, the levels of its inputs, and the rest in which it stays.
 
+    The rest is None if there is none.
+    """
+
+    world: Settings
     played: PlayedTimeline
+    levels: Mapping[Channel, float]
     visit: Visit | None
 
 
@@ -88,12 +97,12 @@ class Ends:
         return set(found)
 
     def of(
-        self, signs: Collection[Statement], why: str, said: Collection[str], faults: Collection[Change]
+        self, signs: Collection[Statement], why: str, said: Collection[str], faults: Sequence[Fault]
     ) -> Steps | None:
         """Return the changes that end the alarm of some statements, none if it ends by itself.
 
-        It begins by one of the `faults` in the good cycle, or as it was seen, where one of the texts is `said`. Of
-        changes that can stand for each other those are left that the reason `why` it comes names.
+        It begins by one of the `faults`, or as it was seen, where one of the texts is `said`. Of changes that can stand
+        for each other those are left that the reason `why` it comes names.
         None if nothing that was played has ended it. What ends one alarm is tried last with the next one.
         """
         alarm = _Alarm(
@@ -103,6 +112,59 @@ class Ends:
             self._good,
             self._names,
         )
+        known = tuple(self._known)
+        if self._is_out_of_work and not known:
+            return None
+        begun = self._begun(faults, alarm) or self._seen(alarm)
+        if begun is None:
+            return None
+        start, undone = begun
+        alarm.shows(start.played, self._names)
+        start = self._released(start, alarm)
+        if start.played.trial.has_ended or alarm.goes_on(start.played):
+            return ()
+        alarm.begins(start.played)
+        if alarm.is_over(start.played, has_come=False):
+            return ()
+        for begin in dict.fromkeys((undone, ())):
+            found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
+            if found is not None:
+                steps = self._needed(start, found, alarm, why)
+                self._known[steps] = None
+                return steps
+        return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
+
+    def _begun(self, faults: Sequence[Fault], alarm: _Alarm) -> tuple[_Reached, Step] | None:
+        """Return what an alarm begins with by the first fault with which it comes, and what takes that back.
+
+        Nobody holds a reset, unless the alarm does not come so.
+        """
+        for fault in faults:
+            until = self._exploration.run(fault.settings, fault.came)
+            # All inputs stay as they were when it came.
+            settings = {**fault.settings, "input": inputs_until(until, inf)}
+            held = self._resets({each.channel for each in until.machine.log.inputs} - {fault.change.number})
+            for timeline in dict.fromkeys((made_at(fault.time, held), ())):
+                start = self._play(settings, timeline, fault.time, fault.came - fault.time + PATIENCE)
+                if alarm.has_come(start.played):
+                    return start, self._taken_back(fault.change)
+        return None
+
+    def _taken_back(self, change: Change) -> Step:
+        """Return what takes a change of the world back."""
+        if change.table in TEXTS:
+            return ()
+        if change.table == "input":
+            return (change._replace(value=1.0 - float(change.value)),)
+        given = entries(self._exploration.world.settings, change.table)
+        values = [each.get("value", 0.0) for each in given if number_in(change.table, each) == change.number]
+        return tuple(change._replace(value=value) for value in values[-1:] if isinstance(value, (int, float)))
+
+    def _seen(self, alarm: _Alarm) -> tuple[_Reached, Step] | None:
+        """Return what an alarm begins with as it was seen, and what takes that back; None if it does not come so.
+
+        Nobody holds a reset, unless the alarm does not come so.
+        """
         ways = (
             each
             for node in self._exploration.nodes
@@ -121,53 +183,25 @@ class Ends:
             ),
             default=None,
         )
-        if first is not None and first.target is None:  # the program ends
-            return ()
-        cycle = self._exploration.world.cycle
-        visits = list(dict.fromkeys((cycle.visit, *(each.visit for each in cycle.transitions))))[:MAX_VISITS]
-        begins = [(at, Step((each,))) for at, each in product(visits, faults) if each.table == "input"]
-        if first is not None:
-            begins += [(cycle.visit, first.causes)] * bool(first.causes) + [(first.visit, first.causes)]
-        known = tuple(self._known)
-        if not begins or (self._is_out_of_work and not known):
+        if first is None:
             return None
-        begun = self._begun(begins, alarm)
-        if begun is None:
+        made = dict.fromkeys(((*first.causes, *self._held(first.visit, first.causes)), first.causes))
+        tried = (self._play({}, first.visit.changed(each), first.visit.change_time) for each in made)
+        start = next((each for each in tried if alarm.has_come(each.played)), None)
+        if start is None:
             return None
-        start, causes = begun
-        if alarm.goes_on(start.played):
-            return ()
-        alarm.begins(start.played, causes)
-        if alarm.is_over(start.played, has_come=False):
-            return ()
-        for begin in dict.fromkeys((self._restored(start, alarm), alarm.undone, ())):
-            found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
-            if found is not None:
-                steps = self._needed(start, found, alarm, why)
-                self._known[steps] = None
-                return steps
-        return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
-
-    def _begun(self, begins: Sequence[tuple[Visit, Step]], alarm: _Alarm) -> tuple[_Reached, Step] | None:
-        """Return what an alarm begins with, and its causes: behind the first visit at which it comes, None if nowhere.
-
-        Nobody holds a reset, unless the alarm does not come or stay so.
-        """
-        ways = (
-            (visit, changes, causes)
-            for visit, causes in begins
-            for changes in dict.fromkeys(((*causes, *self._held(visit, causes)), causes))
+        undone = tuple(
+            Change("input", each.number, 1.0 - float(each.value))
+            for each in first.causes
+            if each.table == "input"
         )
-        played = ((self._play(at.changed(made), at.change_time), causes) for at, made, causes in ways)
-        came = next((each for each in played if alarm.has_come(each[0].played)), None)
-        if came is None:
-            return None
-        start, causes = came
-        alarm.shows(start.played, self._names)
-        now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
-        held = self._resets(n for (table, n), level in now.items() if table == "input" and level)
+        return start, undone
+
+    def _released(self, start: _Reached, alarm: _Alarm) -> _Reached:
+        """Return what an alarm begins with while nobody holds a reset, or as it is if it does not stay so."""
+        held = self._resets(n for (table, n), level in start.levels.items() if table == "input" and level)
         later = self._changed(start, held)
-        return (start if alarm.is_over(later.played) else later), causes
+        return start if alarm.is_over(later.played) else later
 
     def _held(self, visit: Visit, causes: Step) -> Step:
         """Return the changes that release the resets that are on at a visit, but for those that are changed."""
@@ -195,7 +229,7 @@ class Ends:
                     return (*steps, step)
                 if self._is_out_of_work:
                     return None
-                place = reached.visit and (reached.played.rests[-1].state, *reached.visit.levels.items())
+                place = reached.visit and (reached.played.rests[-1].state, *reached.levels.items())
                 if tried < MAX_TRIED and place is not None and place not in known:
                     known.add(place)
                     queue.append(((*steps, step), reached))
@@ -205,20 +239,17 @@ class Ends:
     def _is_out_of_work(self) -> bool:
         return self._exploration.work >= self._most
 
-    def _restored(self, start: _Reached, alarm: _Alarm) -> Step:
-        """Return the changes with which all channels have the levels of the begin of the cycle."""
-        now = channel_levels(start.visit.timeline, inf) if start.visit is not None else {}
-        good = dict.fromkeys(now, 0.0) | alarm.levels
-        return tuple(
-            Change(*channel, level) for channel, level in good.items() if level != now.get(channel, 0.0)
-        )
-
-    def _play(self, timeline: Timeline, since: float) -> _Reached:
-        played = self._exploration.play(timeline, since)
+    def _play(
+        self, world: Settings, timeline: Timeline, since: float, patience: float = PATIENCE
+    ) -> _Reached:
+        played = self._exploration.play(timeline, since, patience, world)
+        switched = {("input", each.channel): float(each.value) for each in played.run.machine.log.inputs}
+        levels = channel_levels(timeline, inf) | switched
         last = played.rests[-1] if played.rests else None
-        if last is None or last.end < inf:
-            return _Reached(played, None)
-        return _Reached(played, Visit(timeline, max(last.begin, since), last.end, question=last.question))
+        visit = None
+        if last is not None and last.end == inf:
+            visit = Visit(timeline, max(last.begin, since), last.end, question=last.question)
+        return _Reached(world, played, levels, visit)
 
     def _after(self, here: _Reached, steps: Steps) -> _Reached:
         for step in steps:
@@ -228,13 +259,12 @@ class Ends:
     def _changed(self, here: _Reached, step: Step) -> _Reached:
         if here.visit is None or not step:
             return here
-        return self._play(here.visit.changed(step), here.visit.change_time)
+        return self._play(here.world, here.visit.changed(step), here.visit.change_time)
 
     def _steps(self, here: _Reached) -> Iterator[Step]:
         """Yield what may be changed at a rest: what has led on there, and what it reads."""
         if here.visit is None:
             return
-        now = channel_levels(here.visit.timeline, inf)
         rest = here.played.rests[-1]
         node = self._nodes.get(rest.state)
         for each in node.transitions if node is not None else ():
@@ -243,7 +273,7 @@ class Ends:
         read = dict.fromkeys(channel for channels in rest.reads.values() for channel in channels)
         for channel in read:
             if channel[0] == "input":
-                yield (Change(*channel, 1.0 - now.get(channel, 0.0)),)
+                yield (Change(*channel, 1.0 - here.levels.get(channel, 0.0)),)
             else:
                 yield from ((each,) for each in self._values.get(channel, ()))
 
@@ -282,8 +312,6 @@ class _Alarm:
         on = {number_in("input", each) for each in given if each.keys() == {"channel", "at"}}
         # Nobody holds a reset.
         self.levels |= {("input", n): 1.0 for n in on if not is_reset(names[f"input {n}"])}
-        # What has led to the alarm, the other way round.
-        self.undone: Step = ()
 
     def is_said(self, said: Iterable[str]) -> bool:
         """True if one of its texts is said, or it has none that does not count."""
@@ -325,15 +353,9 @@ class _Alarm:
         later = [each for each in played.rests if each.end > said]
         return not self._outputs and (goes_on or len(later) > 1)
 
-    def begins(self, played: PlayedTimeline, causes: Step) -> None:
-        """Take note of what has led to the alarm, and of the rest behind it.
-
-        At its place only what the program remembers tells a good state.
-        """
+    def begins(self, played: PlayedTimeline) -> None:
+        """Take note of the rest behind the alarm: at its place only what the program remembers tells a good state."""
         self._places -= {without_memory(each.state) for each in played.rests[-1:]}
-        self.undone = tuple(
-            Change("input", each.number, 1.0 - float(each.value)) for each in causes if each.table == "input"
-        )
 
     def is_over(self, played: PlayedTimeline, *, has_come: bool = True) -> bool:
         """True if the alarm is over for a while behind the last change: its outputs are off, or the machine is back.

@@ -11,8 +11,8 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import accumulate, pairwise
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from itertools import pairwise
 from math import inf
 from typing import NamedTuple
 
@@ -39,6 +39,8 @@ CYCLES, WATCHED, WORK = 3, 12.0, 3 * SECOND
 # A pause is no shorter, s; a longer one than usual is so by a share and a time, s. A move or a given time is none, if
 # it leaves out no larger share at each end.
 PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.1
+# What begins so soon behind a given time is in a row with it, s.
+NEXT = 0.01
 SAID, SWITCHED, WRITTEN = "said", "switched", "written"
 _FIGURES, _MEASURED = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+")
 
@@ -57,7 +59,7 @@ class Sign(NamedTuple):
 
 
 class Fault(NamedTuple):
-    """A change of the world with which a sign comes.
+    """A change of the world with which a sign comes: the settings with it, when it is made, and when the sign comes, s.
 
     `seconds` is how long the machine has paused before, behind what `line` does, 0.0 if not longer than usual. `behind`
     is another sign that has come before, so many `times`. The machine `goes_on` if others have come later, or the same
@@ -65,6 +67,9 @@ class Fault(NamedTuple):
     """
 
     change: Change
+    settings: Settings
+    time: float
+    came: float
     seconds: float
     line: int
     behind: Sign | None
@@ -86,12 +91,14 @@ class Faults(NamedTuple):
 
 
 class _Came(NamedTuple):
-    """A sign that came with a change at a time, s, behind so many moves.
+    """A sign that came with a change at a time, s, behind so many moves; the change is made in settings at `since`, s.
 
     The `pause` before is how long it was, s, and the line behind which it came.
     """
 
     change: Change
+    settings: Settings
+    since: float
     time: float
     moves: int
     sign: Sign
@@ -105,7 +112,7 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
     """
     run = exploration.world.run
     since = _middle(run)
-    base, nobody_resets = _without_resets(exploration, names)
+    base, nobody_resets = without_resets(exploration, names)
     until = since + (LENGTH if run.cycle is None else CYCLES * run.cycle.period)
     until, most = until + WATCHED, exploration.work + WORK
     usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest
@@ -127,13 +134,22 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
         begun = sorted(each.start_time for each in played.machine.log.moves)
         plays.append(
             [
-                _Came(change, at, bisect_left(begun, at), sign, doings.pause(at, time, pauses))
+                _Came(
+                    change, settings, time, at, bisect_left(begun, at), sign, doings.pause(at, time, pauses)
+                )
                 for at, sign in signs
             ]
         )
+    later = dict[Change, set[Sign]]()
+    if run.cycle is not None:
+        unsure = _unsure(plays)
+        for change, time, settings in _worlds(exploration, base, since + run.cycle.period):
+            if change in unsure and time and exploration.work <= most:
+                played = exploration.run(settings, until + run.cycle.period)
+                later[change] = {sign for _, sign in _signs(played)}
     known = {
         sign: list(faults.values())
-        for sign, faults in _by_sign(plays, nobody_resets).items()
+        for sign, faults in _by_sign(plays, later, nobody_resets).items()
         if "= ..." not in sign.what
     }
     rare = _rare(run)
@@ -142,12 +158,15 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
     return Faults(known, [change for change, is_left in left.items() if is_left], rare, frozenset(seen))
 
 
-def _by_sign(plays: Sequence[Sequence[_Came]], nobody_resets: bool) -> Mapping[Sign, dict[Change, Fault]]:
+def _by_sign(
+    plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]], nobody_resets: bool
+) -> Mapping[Sign, dict[Change, Fault]]:
     """Return the fault of each change with which a sign comes, in the first play with it.
 
+    What comes `later` is what has come with a change one cycle later.
     That a machine goes on is known if `nobody_resets` it.
     """
-    counting, found = _counting(plays), defaultdict[Sign, dict[Change, Fault]](dict)
+    counting, found = _counting(plays, later), defaultdict[Sign, dict[Change, Fault]](dict)
     for play in plays:
         count = Counter[Sign]()
         often: tuple[Sign | None, int] = None, 0
@@ -157,7 +176,8 @@ def _by_sign(plays: Sequence[Sequence[_Came]], nobody_resets: bool) -> Mapping[S
             if not count[sign]:
                 is_followed = play[-1].time > each.time + PAUSE and told[-1] != sign
                 goes_on = nobody_resets and (is_followed or last[sign].moves > each.moves)
-                found[sign].setdefault(each.change, Fault(each.change, *each.pause, *often, goes_on))
+                fault = Fault(each.change, each.settings, each.since, each.time, *each.pause, *often, goes_on)
+                found[sign].setdefault(each.change, fault)
             count[sign] += 1
             often = (sign, count[sign]) if count[sign] > 1 else often
     return found
@@ -173,7 +193,7 @@ def _rare(run: Run) -> dict[Sign, int]:
     return {sign: count for sign, count in found.items() if sign.at not in usual}
 
 
-def _without_resets(exploration: Exploration, names: ReaderNames) -> tuple[Settings, bool]:
+def without_resets(exploration: Exploration, names: ReaderNames) -> tuple[Settings, bool]:
     """Return the settings of the world without the inputs that reset if the machine works as well, and if it does."""
     world, inputs = exploration.world, entries(exploration.world.settings, "input")
     left = [each for each in inputs if not is_reset(names[f"input {number_in('input', each)}"])]
@@ -218,9 +238,14 @@ def _worlds(
 
 def changed(settings: Settings, run: Run, change: Change, since: float) -> Settings:
     """Return settings in which an input is as it was in a run until a time, s, and then as a change says."""
-    past = [each for each in run.machine.log.inputs if each.channel == change.number and each.time < since]
-    was: list[Entry] = [{"at": each.time, "value": each.value} for each in past]
+    was = [each for each in inputs_until(run, since) if each["channel"] == change.number]
     return _given(settings, change, [*was, {"at": since, "value": change.value}])
+
+
+def inputs_until(run: Run, time: float) -> list[Entry]:
+    """Return the entries of the inputs that have changed in a run before a time, s."""
+    past = (each for each in run.machine.log.inputs if each.time < time)
+    return [{"channel": each.channel, "at": each.time, "value": each.value} for each in past]
 
 
 def _values(exploration: Exploration) -> list[Change]:
@@ -271,18 +296,42 @@ def _kind(sign: Sign) -> Sign:
     return sign._replace(at=-1) if sign.kind == SWITCHED else form_of(sign)
 
 
-def _counting(plays: Sequence[Sequence[_Came]]) -> set[Sign]:
-    """Return the forms of what has numbers that count, or measure: they differ in a play, or by when that begins."""
-    by_change = defaultdict[tuple[Sign, Change], set[Sign]](set)
+def _counting(plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]]) -> set[Sign]:
+    """Return the forms of what has numbers that count, or measure: they differ in a play, or a cycle later."""
+    found, unsure = (
+        {form for play in plays for form, signs in _by_form(play).items() if len(signs) > 1},
+        _unsure(plays),
+    )
+    for each in (each for play in plays for each in play if each.since and each.change in later):
+        if form_of(each.sign) in unsure[each.change] and each.sign not in later[each.change]:
+            found.add(form_of(each.sign))
+    return found
+
+
+def _unsure(plays: Sequence[Sequence[_Came]]) -> Mapping[Change, set[Sign]]:
+    """Return the forms whose numbers differ by when a change is made, by change: they may count."""
+    by_change, found = defaultdict[Change, list[_Came]](list), dict[Change, set[Sign]]()
     for each in (each for play in plays for each in play):
-        by_change[form_of(each.sign), each.change].add(each.sign)
-    return {form for (form, _), signs in by_change.items() if len(signs) > 1}
+        by_change[each.change].append(each)
+    for change, came in by_change.items():
+        forms = {form for form, signs in _by_form(came).items() if len(signs) > 1}
+        found |= {change: forms} if forms else {}
+    return found
+
+
+def _by_form(came: Sequence[_Came]) -> Mapping[Sign, set[Sign]]:
+    """Return what came by its form."""
+    found = defaultdict[Sign, set[Sign]](set)
+    for each in came:
+        found[form_of(each.sign)].add(each.sign)
+    return found
 
 
 class _Doings(NamedTuple):
     """What a run does, in order: `longest` is its longest pause behind what each line does, s.
 
-    `pauses` are those that are neither a move nor of a given time: their ends and begins, s, and their lines.
+    `pauses` are those that are neither a move nor of a given time, and in which nobody pushes a button: their ends and
+    begins, s, and their lines.
     """
 
     longest: Mapping[int, float]
@@ -308,16 +357,38 @@ def _doings(exploration: Exploration, run: Run) -> _Doings:
     for stream in (log.outputs, log.writes, log.prints):
         found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
     events = sorted(each for each in found if each[0] <= run.time)
-    moves = ((each.start_time, each.profile) for each in log.moves)
-    naps = [(time, time + profile.duration) for time, profile in moves if profile is not None]
-    naps = sorted([*naps, *(each[2:4] for each in log.waits if each.cause == "time")])
-    # The latest end of all moves and given times that have begun.
-    ends = list(accumulate((end for _, end in naps), max))
+    moves = ((each.start_time, each.profile, each.line) for each in log.moves)
+    naps = [(time, time + profile.duration, -at) for time, profile, at in moves if profile is not None]
+    naps += [(*each[2:4], each.at) for each in log.waits if each.cause == "time"]
+    begins, ends = _in_a_row(naps)
+    given = entries(exploration.world.settings, "input")
+    asked = {number_in("input", each) for each in given if "asked" in each}
+    # A button that is let go leads on to nothing.
+    led = [each.time for each in log.inputs if each.value and each.channel in asked]
     longest, pauses = defaultdict[int, float](float), list[tuple[float, float, int]]()
     for (begin, at), (end, _) in pairwise(events):
         longest[at] = max(longest[at], end - begin)
         share = NAP * (end - begin)
-        begun = bisect_right(naps, (begin + share, inf))
-        if end - begin >= PAUSE and not (begun and ends[begun - 1] >= end - share):
+        begun = bisect_right(begins, begin + share)
+        is_given = begun and ends[begun - 1] >= end - share
+        is_led = bisect_left(led, end) > bisect_right(led, begin)
+        if end - begin >= PAUSE and not (is_given or is_led):
             pauses.append((end, begin, at))
     return _Doings(longest, pauses)
+
+
+def _in_a_row(naps: Sequence[tuple[float, float, int]]) -> tuple[list[float], list[float]]:
+    """Return the begins, and the latest ends so far, of moves and given times, s; those in a row are one.
+
+    What comes again, such as the wait of a loop, begins another row.
+    """
+    begins, ends, seen = list[float](), list[float](), set[int]()
+    for begin, end, at in sorted(naps):
+        if at in seen or not ends or begin > ends[-1] + NEXT:
+            begins.append(begin)
+            ends.append(max([*ends[-1:], end]))
+            seen = {at}
+        else:
+            ends[-1] = max(ends[-1], end)
+            seen.add(at)
+    return begins, ends

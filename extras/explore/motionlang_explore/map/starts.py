@@ -156,7 +156,7 @@ def _channels(settings: Mapping[str, object]) -> list[tuple[Change, list[Entry]]
     for table in TABLES:
         for entry in entries(settings, table):
             _, change = made_by(table, entry)
-            if entry.keys() & FOLLOWS:
+            if table == "input" and entry.keys() & FOLLOWS:
                 change = change._replace(value=1.0)
             value = change.value if table in GIVEN and table != "answer" else change.prompt
             found[table, change.number, value].append((change, entry))

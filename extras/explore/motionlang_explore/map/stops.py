@@ -8,6 +8,7 @@ machine that goes on as usual when nobody pushes its start button any more is pl
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from difflib import SequenceMatcher
 from functools import reduce
 from math import inf
 from typing import NamedTuple
@@ -24,7 +25,7 @@ from motionlang_explore.exploration import (
     is_pushed,
     number_in,
 )
-from motionlang_explore.map.faults import changed
+from motionlang_explore.map.faults import changed, without_resets
 from motionlang_explore.map.names import ReaderNames
 from motionlang_explore.map.starts import LEFT
 
@@ -53,15 +54,15 @@ def stops_of(exploration: Exploration, names: ReaderNames) -> Stops:
     """Return what stops a machine that makes good pieces between its moves; nothing is played of any other."""
     world = exploration.world
     cycle = world.run.cycle
-    if cycle is None or exploration.fault_of(world.run) or len(cycle.times) < 3:
+    if cycle is None or exploration.fault_of(world.run) or len(cycle.times) < 2:
         return Stops()
-    begin, end = cycle.times[1:3]
+    begin, end = cycle.times[1:3] if len(cycle.times) > 2 else cycle.times
     moves = (each for each in world.run.machine.log.moves if each.profile is not None)
     move = next((each for each in moves if begin <= each.start_time < end), None)
     if move is None:
         return Stops()
     played = _Played(exploration, move, end, cycle.period)
-    settings, most = played.without_start(names), exploration.work + WORK
+    settings, most = played.without_hands(names), exploration.work + WORK
     lines, cuts, left = list[tuple[Change, int]](), list[Change](), list[Change]()
     for change in _changes(exploration, world.settings):
         line, is_cut = played.line_behind(settings, change) if exploration.work <= most else (None, False)
@@ -90,9 +91,9 @@ class _Played:
         self._usual = [line for time, line in later if time < end + period]
         self._done = [line for time, line in _acts(exploration, self._run) if self._time < time < end]
 
-    def without_start(self, names: ReaderNames) -> Mapping[str, object]:
-        """Return the settings in which nobody pushes a start button any more, if the machine goes on so."""
-        settings = self._exploration.world.settings
+    def without_hands(self, names: ReaderNames) -> Mapping[str, object]:
+        """Return the settings in which nobody resets, nor pushes a start button any more, if the machine goes on so."""
+        settings, _ = without_resets(self._exploration, names)
         given = dict.fromkeys(number_in("input", each) for each in entries(settings, "input"))
         pushed = [number for number in given if is_pushed(names[f"input {number}"])]
         offs = [Change("input", number, 0.0) for number in pushed]
@@ -123,9 +124,10 @@ class _Played:
         if not (is_usual and (stays or trial.is_stuck or trial.has_ended)):
             return -1
         after = [line for time, line in _acts(self._exploration, run) if time > self._time]
-        pairs = enumerate(zip(self._done, after, strict=False))
-        same = next((k for k, pair in pairs if len({*pair}) > 1), len(after))
-        return 0 if same >= len(self._done) else [self._move.line, *self._done[:same]][-1]
+        # A lamp may go off between what is done as usual.
+        blocks = SequenceMatcher(None, self._done, after, autojunk=False).get_matching_blocks()
+        last = max((each.a + each.size for each in blocks[:-1]), default=0)
+        return 0 if last >= len(self._done) else [self._move.line, *self._done][last]
 
 
 def _acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:

@@ -339,6 +339,43 @@ MD5,WN3,CN10,WA0.2,CF10
 MC5
 MC10
 """
+# A number that tells the faults apart, and an emergency stop that is let go before the reset.
+CODES = """\
+' in 1 start  2 part there  4 emergency stop  5 reset
+' out 1 chuck  2 red lamp
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Dim parts As Integer, t As Integer, fault As Integer
+Loop
+  Pause INX(1)
+  fault = 0 : OUTX(1) = 1 : t = TIME
+  Repeat
+    Wait(10)
+  Until INX(2) Or TIME - t > 1500
+  If INX(2) = 0 Then fault = 1
+  If fault = 0 Then
+    MOVEA(0) = 80 : GO(0) : Pause IDLE(0)
+    If INX(2) = 0 And fault = 0 Then fault = 3
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  End If
+  OUTX(1) = 0
+  If fault Then
+    OUTX(2) = 1
+    Print "FAULT "; fault
+    Pause INX(4) = 0
+    Pause INX(5)
+    OUTX(2) = 0
+  Else
+    parts = parts + 1
+    Print "part "; parts
+  End If
+  If parts Mod 5 = 0 Then Print "box full" : Pause INX(6) : Pause Not INX(6)
+  Pause Not INX(1)
+End Loop
+Event IN4
+  STOP(0)
+  fault = 4
+End Event
+"""
 # A sub that takes the sensor from what is wanted.
 WANTED = """\
 REM IN 1 start  3 valve at nozzle  4 valve at hopper  5 reset
@@ -489,11 +526,23 @@ End Loop
             HELD,
             [
                 "'STRIP EMPTY' and output 12 (red lamp) come by input 2 (strip present) off, line 7; ends by "
-                "input 3 (fault reset) on and input 2 (strip present) on",
+                "input 2 (strip present) on, then input 3 (fault reset) on",
                 "output 12 (red lamp) and 'KNIFE FAULT' come by input 4 (knife down) off 1 s after line 5, line "
                 "8; ends by input 3 (fault reset) on",
             ],
             id="held",
+        ),
+        pytest.param(
+            "a.mnt",
+            CODES,
+            [
+                "output 2 (red lamp) comes with 'FAULT 1', 'FAULT 3' and 'FAULT 4'",
+                "'FAULT 3' comes by input 2 (part there) off, line 20; ends by input 5 (reset) on",
+                "'FAULT 4' comes by input 4 (emergency stop) on, line 20; ends by input 4 (emergency stop) off, then "
+                "input 5 (reset) on",
+                "'FAULT 1' comes by input 2 (part there) off 1.5 s after line 7, line 20; ends by input 5 (reset) on",
+            ],
+            id="codes",
         ),
         pytest.param(
             "a.prg",

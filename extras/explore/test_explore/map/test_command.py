@@ -211,12 +211,45 @@ def test_the_first_screen_has_the_cycle_its_start_and_its_alarms(cell: Cell) -> 
     assert len(shown) <= 40
     begin = shown.index("Before you change anything")
     assert shown[begin - 2].endswith("lines more")
-    assert shown[begin + 1 : begin + 4] == [
+    assert shown[begin + 1 : begin + 5] == [
         "  input 1 (start) on starts the cycle with input 2 (pressure ok) on",
         "  nothing that was played cuts off a move to a target",
+        "  input 2 (pressure ok) off in the move of line 10 stops the machine at the end of its cycle",
         "  output 2 (horn) comes by input 2 (pressure ok) off, line 6; ends by input 3 (reset) on",
     ]
     assert shown[-1].startswith("--all shows")
+
+
+# The move is cut off where the selector comes on again, and the lamp goes off between what is done as usual.
+SELECTOR = """\
+' in 0 auto  1 start  3 hot
+' out 1 clamp  3 lamp ready
+Dim aut As Integer, stage As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  If INX(0) Then
+    If aut = 0 Then CANCEL(0) : stage = 0 : aut = 1
+  Else
+    aut = 0
+  End If
+  OUTX(3) = INX(3)
+  If aut = 1 Then
+    If stage = 0 And INX(1) And INX(3) Then MOVEA(0) = 200 : GO(0) : stage = 1
+    If stage = 1 And IDLE(0) Then OUTX(1) = 1 : Wait(500) : OUTX(1) = 0 : MOVEA(0) = 0 : GO(0) : stage = 2
+    If stage = 2 And IDLE(0) Then stage = 0
+  End If
+  Wait(10)
+End Loop
+"""
+
+
+def test_an_input_that_has_to_come_back_to_cut_off_a_move_is_told_so(cell: Cell) -> None:
+    cell.write("a.mnt", SELECTOR)
+    shown = cell("map", "a.mnt", "--all").out.splitlines()
+    assert [each.strip() for each in shown if " cuts off " in each or " stops the machine " in each] == [
+        "input 0 (auto) off and on again cuts off moves of line 14",
+        "input 1 (start) off or input 3 (hot) off in the move of line 13 stops the machine at the end of its cycle",
+    ]
 
 
 def test_both_levels_that_cut_off_moves_are_one_sentence(cell: Cell) -> None:
