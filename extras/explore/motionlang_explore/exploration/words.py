@@ -89,7 +89,7 @@ SHOWN = _words(
     nl=r"\brood\b|\bgroen\b|zoemer|toeter",
 )
 ALARM = _words(
-    en=r"alarm|(?<!de)fault|trouble|error|fail|reject|waste|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b"
+    en=r"alarm|(?<!de)fault|trouble|error|fail|reject|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b"
     r"|\b(?:lamp|light|beacon)\b.*\b(?:out|empty|low)\b",
     de=r"st(?:oe|ö)r(?:ung|[lm])|fehler|ausschu(?:ss|ß)|(?<!gut/)schlecht|\brote?\b",
     fr=r"d[ée]faut|\bpanne|rebut|rouge|mauvais",

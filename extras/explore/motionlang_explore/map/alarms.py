@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from motionlang.kernel.lang import PRINTS, WRITE, Statement, Structure
 from motionlang_explore.exploration import OFF, Change, Exploration, Transition, is_reset, is_wrong, lines_of
-from motionlang_explore.map.faults import SAID, SWITCHED, WRITTEN, Fault, Sign, faults_of
+from motionlang_explore.map.faults import SAID, SWITCHED, WRITTEN, Begin, Fault, Sign, faults_of
 from motionlang_explore.map.guards import Guards
 from motionlang_explore.map.names import ReaderNames, is_alarm
 from motionlang_explore.map.state_names import MAX_RANGES
@@ -27,7 +27,7 @@ MAX_CAUSES = 6
 
 
 class Alarm(NamedTuple):
-    """What says that something is wrong, or is only said, and why in words, with the faults that were played.
+    """What says that something is wrong, or is only said, and why in words, with how it begins as it was played.
 
     `ends` is False of a lamp that comes with several texts, of what others follow, and of what is quoted from the text,
     `is_rare` True of what comes after some good cycles, and `is_unplayed` of what no trial has reached.
@@ -36,7 +36,7 @@ class Alarm(NamedTuple):
     signs: Sequence[Sign]
     why: str
     is_trouble: bool = True
-    faults: Sequence[Fault] = ()
+    begins: Sequence[Begin] = ()
     ends: bool = True
     is_rare: bool = False
     is_unplayed: bool = False
@@ -53,10 +53,10 @@ def alarms_of(
     is_trouble = partial(_is_trouble, exploration, names)
     faults = faults_of(exploration, names, is_trouble)
     alarms = _played(exploration, faults.of, names, is_trouble)
-    for sign, count in faults.rare.items():
+    for sign, (count, begin) in faults.rare.items():
         if count and (is_trouble(sign) or sign.kind == SAID):
             why = f"after {count} cycle{'s' * (count > 1)}, line {exploration.line(sign.at)}"
-            alarms.append(Alarm([sign], why, is_trouble(sign), is_rare=True))
+            alarms.append(Alarm([sign], why, is_trouble(sign), [begin], is_rare=True))
     told = {sign.at for each in alarms for sign in each.signs}
     told |= frozenset() if exploration.fault_of(exploration.world.run) else faults.seen
     return [*alarms, *_others(exploration, structure, names, guards, told)], faults.left
@@ -107,7 +107,8 @@ def _played(
         is_wrong_here = bool(others) or any(map(is_trouble, signs))
         if is_wrong_here or not is_shown:
             ends = not others and not all(each.goes_on for sign in signs for each in faults[sign])
-            found.append(Alarm(signs, why, is_wrong_here, faults[signs[0]], ends))
+            begins = [each.begin for each in faults[signs[0]]]
+            found.append(Alarm(signs, why, is_wrong_here, begins, ends))
     return found
 
 

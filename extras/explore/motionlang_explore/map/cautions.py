@@ -99,7 +99,7 @@ def _alarms(
         what, back = each.what(names), ""
         if each.is_trouble and each.ends:
             said = [sign.what for sign in each.signs if sign.kind == SAID]
-            steps = ends.of([statements[sign.at] for sign in each.signs], each.why, said, each.faults)
+            steps = ends.of([statements[sign.at] for sign in each.signs], each.why, said, each.begins)
             it = "" if " or " not in each.why else "as it was played, it "
             back = f"; {it}ends by {_joined(steps, names)}" if steps else ""
             back = "; what ends it was not played" if steps is None and not each.is_rare else back

@@ -1,7 +1,7 @@
 """What ends an alarm: it is played.
 
-It begins in the world of the good cycle by what it comes by, or as it was seen, and all inputs stay as they are then.
-At the rest behind it, what has led there may be taken back. Then one channel after the other that is read at rest is
+It begins in the world of the good cycle by what it comes by, and all inputs stay as they are then. At the rest behind
+it, what has led there may be taken back. Then one channel after the other that is read at rest is
 changed, until the outputs of the alarm are off, or the machine is where it comes without an alarm that has none, and it
 does not come again for a while. Of these changes those are left out without which that happens as well.
 """
@@ -27,17 +27,15 @@ from motionlang_explore.exploration import (
     Rest,
     RestState,
     Timeline,
-    Transition,
     Trial,
     Visit,
-    channel_levels,
     entries,
     is_reset,
     made_at,
     number_in,
     without_memory,
 )
-from motionlang_explore.map.faults import Fault, inputs_until
+from motionlang_explore.map.faults import Begin, inputs_until
 from motionlang_explore.map.names import ReaderNames
 
 # So many changes are tried behind each begin, and in all alarms no more is tried once they have done so much work.
@@ -64,7 +62,7 @@ class _Reached(NamedTuple):
 
     world: Settings
     played: PlayedTimeline
-    levels: Mapping[Channel, float]
+    levels: Mapping[int, float]
     visit: Visit | None
 
 
@@ -97,12 +95,12 @@ class Ends:
         return set(found)
 
     def of(
-        self, signs: Collection[Statement], why: str, said: Collection[str], faults: Sequence[Fault]
+        self, signs: Collection[Statement], why: str, said: Collection[str], begins: Sequence[Begin]
     ) -> Steps | None:
         """Return the changes that end the alarm of some statements, none if it ends by itself.
 
-        It begins by one of the `faults`, or as it was seen, where one of the texts is `said`. Of changes that can stand
-        for each other those are left that the reason `why` it comes names.
+        It begins as it was played, where one of the texts is `said`. Of changes that can stand for each other those are
+        left that the reason `why` it comes names.
         None if nothing that was played has ended it. What ends one alarm is tried last with the next one.
         """
         alarm = _Alarm(
@@ -110,12 +108,11 @@ class Ends:
             signs,
             {each for each in said if _CODE.search(each) and "..." not in each},
             self._good,
-            self._names,
         )
         known = tuple(self._known)
         if self._is_out_of_work and not known:
             return None
-        begun = self._begun(faults, alarm) or self._seen(alarm)
+        begun = self._begun(begins, alarm)
         if begun is None:
             return None
         start, undone = begun
@@ -134,25 +131,26 @@ class Ends:
                 return steps
         return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
 
-    def _begun(self, faults: Sequence[Fault], alarm: _Alarm) -> tuple[_Reached, Step] | None:
-        """Return what an alarm begins with by the first fault with which it comes, and what takes that back.
+    def _begun(self, begins: Sequence[Begin], alarm: _Alarm) -> tuple[_Reached, Step] | None:
+        """Return what an alarm begins with in the first way in which it comes, and what takes that back.
 
         Nobody holds a reset, unless the alarm does not come so.
         """
-        for fault in faults:
-            until = self._exploration.run(fault.settings, fault.came)
+        for each in begins:
+            until = self._exploration.run(each.settings, each.came)
+            changed = {one.channel for one in until.machine.log.inputs}
             # All inputs stay as they were when it came.
-            settings = {**fault.settings, "input": inputs_until(until, inf)}
-            held = self._resets({each.channel for each in until.machine.log.inputs} - {fault.change.number})
-            for timeline in dict.fromkeys((made_at(fault.time, held), ())):
-                start = self._play(settings, timeline, fault.time, fault.came - fault.time + PATIENCE)
+            settings = {**each.settings, "input": inputs_until(until, inf)}
+            held = self._resets(changed - ({each.change.number} if each.change is not None else set()))
+            for timeline in dict.fromkeys((made_at(each.time, held), ())):
+                start = self._play(settings, timeline, each.time, each.came - each.time + PATIENCE)
                 if alarm.has_come(start.played):
-                    return start, self._taken_back(fault.change)
+                    return start, self._taken_back(each.change)
         return None
 
-    def _taken_back(self, change: Change) -> Step:
+    def _taken_back(self, change: Change | None) -> Step:
         """Return what takes a change of the world back."""
-        if change.table in TEXTS:
+        if change is None or change.table in TEXTS:
             return ()
         if change.table == "input":
             return (change._replace(value=1.0 - float(change.value)),)
@@ -160,53 +158,11 @@ class Ends:
         values = [each.get("value", 0.0) for each in given if number_in(change.table, each) == change.number]
         return tuple(change._replace(value=value) for value in values[-1:] if isinstance(value, (int, float)))
 
-    def _seen(self, alarm: _Alarm) -> tuple[_Reached, Step] | None:
-        """Return what an alarm begins with as it was seen, and what takes that back; None if it does not come so.
-
-        Nobody holds a reset, unless the alarm does not come so.
-        """
-        ways = (
-            each
-            for node in self._exploration.nodes
-            for each in node.transitions
-            if alarm.at & each.begun.union(*(place.statements for place in each.target or ()))
-            and alarm.is_said(each.said)
-        )
-        # A way that goes on into a good state has its end behind it; one from far has more to change.
-        first = min(
-            ways,
-            key=lambda each: (
-                each.target in self._good,
-                alarm.distance(each),
-                len(each.causes),
-                len(each.visit.timeline),
-            ),
-            default=None,
-        )
-        if first is None:
-            return None
-        made = dict.fromkeys(((*first.causes, *self._held(first.visit, first.causes)), first.causes))
-        tried = (self._play({}, first.visit.changed(each), first.visit.change_time) for each in made)
-        start = next((each for each in tried if alarm.has_come(each.played)), None)
-        if start is None:
-            return None
-        undone = tuple(
-            Change("input", each.number, 1.0 - float(each.value))
-            for each in first.causes
-            if each.table == "input"
-        )
-        return start, undone
-
     def _released(self, start: _Reached, alarm: _Alarm) -> _Reached:
         """Return what an alarm begins with while nobody holds a reset, or as it is if it does not stay so."""
-        held = self._resets(n for (table, n), level in start.levels.items() if table == "input" and level)
+        held = self._resets(number for number, level in start.levels.items() if level)
         later = self._changed(start, held)
         return start if alarm.is_over(later.played) else later
-
-    def _held(self, visit: Visit, causes: Step) -> Step:
-        """Return the changes that release the resets that are on at a visit, but for those that are changed."""
-        own = {one.number for one in causes if one.table == "input"}
-        return self._resets(n for n, level in visit.levels.items() if level and n not in own)
 
     def _resets(self, numbers: Iterable[int]) -> Step:
         """Return the changes that release those of some inputs that reset."""
@@ -243,8 +199,7 @@ class Ends:
         self, world: Settings, timeline: Timeline, since: float, patience: float = PATIENCE
     ) -> _Reached:
         played = self._exploration.play(timeline, since, patience, world)
-        switched = {("input", each.channel): float(each.value) for each in played.run.machine.log.inputs}
-        levels = channel_levels(timeline, inf) | switched
+        levels = {each.channel: float(each.value) for each in played.run.machine.log.inputs}
         last = played.rests[-1] if played.rests else None
         visit = None
         if last is not None and last.end == inf:
@@ -273,7 +228,7 @@ class Ends:
         read = dict.fromkeys(channel for channels in rest.reads.values() for channel in channels)
         for channel in read:
             if channel[0] == "input":
-                yield (Change(*channel, 1.0 - here.levels.get(channel, 0.0)),)
+                yield (Change(*channel, 1.0 - here.levels.get(channel[1], 0.0)),)
             else:
                 yield from ((each,) for each in self._values.get(channel, ()))
 
@@ -288,7 +243,7 @@ class Ends:
 
 
 class _Alarm:
-    """The statements and the outputs of an alarm, and the good states with the levels at the begin of the cycle."""
+    """The statements and the outputs of an alarm, and the good states."""
 
     def __init__(
         self,
@@ -296,7 +251,6 @@ class _Alarm:
         signs: Collection[Statement],
         texts: Collection[str],
         good: Collection[RestState | None],
-        names: ReaderNames,
     ) -> None:
         written = {each.at: [use for use in each.channels if use.access == WRITE] for each in signs}
         # What writes a number for a host writes what is right, too.
@@ -307,11 +261,6 @@ class _Alarm:
         self._outputs = {int(number) for number in outputs if number.isdecimal()}
         self._cycle, self._good, self._texts = exploration.world.cycle, good, set(texts)
         self._places = set(map(without_memory, good))
-        self.levels = channel_levels(self._cycle.visit.timeline, inf)
-        given = entries(exploration.world.settings, "input")
-        on = {number_in("input", each) for each in given if each.keys() == {"channel", "at"}}
-        # Nobody holds a reset.
-        self.levels |= {("input", n): 1.0 for n in on if not is_reset(names[f"input {n}"])}
 
     def is_said(self, said: Iterable[str]) -> bool:
         """True if one of its texts is said, or it has none that does not count."""
@@ -326,13 +275,6 @@ class _Alarm:
             one.at in (self._said or self.at) for some in played.trial.statements.values() for one in some
         )
         return begun and self.is_said(each.text for each in played.trial.prints if each.time >= since)
-
-    def distance(self, led: Transition) -> int:
-        """Return how many inputs have another level behind a transition than at the begin of the cycle."""
-        now = {("input", number): level for number, level in led.visit.levels.items()}
-        now |= {each.channel: float(each.value) for each in led.causes if each.table == "input"}
-        channels = {each for each in (*now, *self.levels) if each[0] == "input"}
-        return sum(now.get(each, 0.0) != self.levels.get(each, 0.0) for each in channels)
 
     def shows(self, played: PlayedTimeline, names: ReaderNames) -> None:
         """Take the outputs of alarms that are on behind what is only said, as what shows it."""

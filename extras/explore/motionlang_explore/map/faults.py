@@ -58,6 +58,15 @@ class Sign(NamedTuple):
     what: str
 
 
+class Begin(NamedTuple):
+    """What something comes by: settings, when they change, and when it comes, s; nothing changes by itself."""
+
+    settings: Settings
+    time: float
+    came: float
+    change: Change | None = None
+
+
 class Fault(NamedTuple):
     """A change of the world with which a sign comes: the settings with it, when it is made, and when the sign comes, s.
 
@@ -76,6 +85,11 @@ class Fault(NamedTuple):
     times: int
     goes_on: bool
 
+    @property
+    def begin(self) -> Begin:
+        """What the sign comes by."""
+        return Begin(self.settings, self.time, self.came, self.change)
+
 
 class Faults(NamedTuple):
     """The faults with which each sign comes, and the changes that were not played.
@@ -86,7 +100,7 @@ class Faults(NamedTuple):
 
     of: Mapping[Sign, Sequence[Fault]]
     left: Sequence[Change]
-    rare: Mapping[Sign, int]
+    rare: Mapping[Sign, tuple[int, Begin]]
     seen: frozenset[int]
 
 
@@ -152,9 +166,9 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
         for sign, faults in _by_sign(plays, later, nobody_resets).items()
         if "= ..." not in sign.what
     }
-    rare = _rare(run)
+    rare = _rare(run, base)
     seen |= {each.at for _, each in _signs(run)}
-    seen -= {each.at for each, count in rare.items() if not count}
+    seen -= {each.at for each, (count, _) in rare.items() if not count}
     return Faults(known, [change for change, is_left in left.items() if is_left], rare, frozenset(seen))
 
 
@@ -183,12 +197,15 @@ def _by_sign(
     return found
 
 
-def _rare(run: Run) -> dict[Sign, int]:
+def _rare(run: Run, settings: Settings) -> dict[Sign, tuple[int, Begin]]:
     """Return what a run says, switches on or writes, but in no usual cycle, and the cycles before it comes first."""
     begin, end = (0.0, run.time) if run.cycle is None else run.cycle.span
-    times, found, usual = () if run.cycle is None else run.cycle.times, dict[Sign, int](), set[int]()
+    times, found = () if run.cycle is None else run.cycle.times, dict[Sign, tuple[int, Begin]]()
+    usual = set[int]()
     for time, each in _signs(run):
-        found.setdefault(form_of(each), bisect_right(times, time))
+        found.setdefault(
+            form_of(each), (bisect_right(times, time), Begin(settings, max(time - PAUSE, 0.0), time))
+        )
         usual |= {each.at} if begin <= time < end else set()
     return {sign: count for sign, count in found.items() if sign.at not in usual}
 

@@ -572,7 +572,7 @@ End Loop
             FLAGS,
             [
                 "'RAM STUCK' comes by input 4 (ram down) off 1.5 s after line 14, line 19",
-                "'STOPPED' comes by input 1 (lid shut) off in 4, 11, 22, line 8",
+                "'STOPPED' comes by input 1 (lid shut) off in 4, 11, 22, line 8; what ends it was not played",
             ],
             id="flags",
         ),
