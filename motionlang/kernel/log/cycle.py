@@ -26,9 +26,9 @@ itself.
 
 A piece has what comes once in it. A shorter repetition with a print of its own is a piece, and what is longer holds
 several, even if a refill takes as long as all its pieces. A print that comes once in up to eight repetitions makes
-them one. Without prints, the repetitions are one
-whose targets come again, or advance by a constant: the moves of a table on one line. Where the task that moves most
-rests between its repetitions, another one may order its steps: if that prints once in a cycle, its cycle is the piece.
+them one. Without prints, the repetitions are one whose targets come again, or advance by a constant: the moves of a
+table on one line. Where the task that moves most rests between its repetitions, another one may order its steps: if
+that prints once in a cycle, its cycle is the piece.
 
 Invariants. Nothing depends on the order of a hash: keys are numbered in the order of the log. A cycle has a move that
 is no homing. The times of its name are those that `cycle(…)` of a quantity has.
@@ -56,13 +56,14 @@ from motionlang.kernel.log.move import CONTINUED
 MIN_OCCURRENCES = 3
 # The share of the blocks with what is typical of them; what occurs twice in a cycle may be in two of three.
 USUAL = 0.67
-# A shorter cycle covers as much of the time of a longer one, or half of it if it prints more often than so many times,
-# and has more of its axes unless it prints; it is more frequent than so many times, and has more of its keys or moves,
-# if the longer one is regular or not.
-MIN_TIME, PIECES, MIN_AXES = 0.9, 0.5, 0.5
+# A shorter cycle covers as much of the time of a longer one, and has more of its axes unless it prints; it is more
+# frequent than so many times, and has more of its keys or moves, if the longer one is regular or not.
+MIN_TIME, MIN_AXES = 0.9, 0.5
 REGULAR, IRREGULAR = (3, 0.67), (1, 0.5)
 # If a regular one has a print that the shorter one lacks, that is more frequent than so many prints.
 PRINTED = 8
+# One that prints, and is more frequent than so many times, covers as much of the time; it is the piece.
+PIECE_TIME = 0.5
 # The repetitions that targets may make one, and the share of a target by which two of them are the same.
 MAX_TURNS, SAME_TARGET = 12, 1e-6
 # Targets of axes that start together are one number; this makes each axis count differently.
@@ -439,7 +440,7 @@ class _Sequence:
         axes, all_axes = self._axes(short.typical), self._axes(long.typical)
         share = MIN_TIME
         if self.prints(short) and short.blocks > PRINTED * long.blocks:
-            share, keys = PIECES, IRREGULAR[1]
+            share, keys = PIECE_TIME, IRREGULAR[1]
         return (
             short.covered >= share * long.covered
             and short.blocks > least

@@ -85,10 +85,13 @@ def _played(
     names: ReaderNames,
     is_trouble: Callable[[Sign], bool],
 ) -> list[Alarm]:
-    """Return the alarms that came by faults: what has the same ones is one, a lamp of several comes with them."""
-    same = defaultdict[frozenset[tuple[Change, int, int]], list[Sign]](list)
+    """Return the alarms that came by faults: what has the same ones in the same plays is one.
+
+    A lamp of several comes with them.
+    """
+    same = defaultdict[frozenset[tuple[Change, float, int, int]], list[Sign]](list)
     for sign in sorted(faults, key=lambda each: each.at):
-        same[frozenset((each.change, each.line, each.times) for each in faults[sign])].append(sign)
+        same[frozenset((each.change, each.time, each.line, each.times) for each in faults[sign])].append(sign)
     found = list[Alarm]()
     texts = [each for each in faults if each.kind == SAID and is_trouble(each)]
     for signs in same.values():

@@ -35,7 +35,7 @@ from motionlang_explore.exploration import (
     number_in,
     without_memory,
 )
-from motionlang_explore.map.faults import Begin, inputs_until
+from motionlang_explore.map.faults import Begin, Settings, inputs_until
 from motionlang_explore.map.names import ReaderNames
 
 # So many changes are tried behind each begin, and in all alarms no more is tried once they have done so much work.
@@ -48,7 +48,6 @@ PATIENCE = 12.0
 AWHILE = 1.0
 # The values with which an output is switched on.
 ON = ("1", "_on", "_true")
-Settings = Mapping[str, object]
 # The changes of an end, in order; those of one step come together.
 Step = tuple[Change, ...]
 Steps = tuple[Step, ...]
@@ -123,6 +122,8 @@ class Ends:
         alarm.begins(start.played)
         if alarm.is_over(start.played, has_come=False):
             return ()
+        if start.visit is None:  # nothing can be tried where the machine does not rest
+            return None
         for begin in dict.fromkeys((undone, ())):
             found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
             if found is not None:

@@ -177,8 +177,8 @@ def _by_sign(
 ) -> Mapping[Sign, dict[Change, Fault]]:
     """Return the fault of each change with which a sign comes, in the first play with it.
 
-    What comes `later` is what has come with a change one cycle later.
-    That a machine goes on is known if `nobody_resets` it.
+    What comes `later` has come with a change that was made one cycle later. That a machine goes on is known if
+    `nobody_resets` it.
     """
     counting, found = _counting(plays, later), defaultdict[Sign, dict[Change, Fault]](dict)
     for play in plays:
@@ -315,10 +315,8 @@ def _kind(sign: Sign) -> Sign:
 
 def _counting(plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]]) -> set[Sign]:
     """Return the forms of what has numbers that count, or measure: they differ in a play, or a cycle later."""
-    found, unsure = (
-        {form for play in plays for form, signs in _by_form(play).items() if len(signs) > 1},
-        _unsure(plays),
-    )
+    found = {form for play in plays for form, signs in _by_form(play).items() if len(signs) > 1}
+    unsure = _unsure(plays)
     for each in (each for play in plays for each in play if each.since and each.change in later):
         if form_of(each.sign) in unsure[each.change] and each.sign not in later[each.change]:
             found.add(form_of(each.sign))

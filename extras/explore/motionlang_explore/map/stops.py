@@ -1,8 +1,8 @@
 """What stops a machine between its moves: it is played in the world of its cycle.
 
 In the first move of a cycle each input that is left on goes off, each that is left off comes on, and each key that the
-program reads is pressed. What goes on as usual for a while and then begins no other move has been stopped there. A
-machine that goes on as usual when nobody pushes its start button any more is played so.
+program reads is pressed. What goes on as usual for a while and then begins no other move has been stopped there. Nobody
+resets it, nor pushes its start button any more, if it goes on as usual without.
 """
 
 from __future__ import annotations

@@ -376,6 +376,22 @@ Event IN4
   fault = 4
 End Event
 """
+# One input with two texts: where the cycle begins, and in the middle of it.
+CURTAIN = """\
+' in 1 start  3 curtain free  5 reset
+' out 2 red lamp
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Dim parts As Integer
+Loop
+  If INX(3) = 0 Then Print "CURTAIN BROKEN" : Pause INX(3)
+  Pause INX(1)
+  MOVEA(0) = 80 : GO(0) : Pause IDLE(0)
+  If INX(3) = 0 Then OUTX(2) = 1 : Print "ALARM curtain" : Pause INX(5) : OUTX(2) = 0
+  MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+  parts = parts + 1 : Print "part "; parts
+  Pause Not INX(1)
+End Loop
+"""
 # A sub that takes the sensor from what is wanted.
 WANTED = """\
 REM IN 1 start  3 valve at nozzle  4 valve at hopper  5 reset
@@ -543,6 +559,16 @@ End Loop
                 "'FAULT 1' comes by input 2 (part there) off 1.5 s after line 7, line 20; ends by input 5 (reset) on",
             ],
             id="codes",
+        ),
+        pytest.param(
+            "a.mnt",
+            CURTAIN,
+            [
+                "'CURTAIN BROKEN' comes by input 3 (curtain free) off, line 6; ends by input 3 (curtain free) on",
+                "output 2 (red lamp) and 'ALARM curtain' come by input 3 (curtain free) off, line 9; ends by input 5 "
+                "(reset) on",
+            ],
+            id="curtain",
         ),
         pytest.param(
             "a.prg",
