@@ -252,6 +252,10 @@ class Exploration:
         """Run the program in the world with some entries of a machine file whose `run.until` is a time, s."""
         return self._explorer.trials.run_in({**settings, "run.until": until})[0]
 
+    def watch(self, settings: Mapping[str, object], *until: float, stands: Callable[[Run], bool]) -> Run:
+        """Run the program in such a world up to the first of some times at which it `stands`, or the last one, s."""
+        return self._explorer.trials.run_in(settings, *until, stands=stands)[0]
+
     def fault_of(self, run: Run) -> str:
         """Return what is wrong with the work of a run in words, "" if nothing is."""
         return fault_of(self._explorer, run)

@@ -107,13 +107,15 @@ def _difference(left: Any, right: Any) -> Form:
     return form_of(left - right) if is_traced(left) or is_traced(right) else {}
 
 
-def levels(trial: Trial) -> Iterator[Change]:
-    """Yield the levels on both sides of those at which the comparisons of a trial turn, whatever was read."""
+def levels(trial: Trial, tables: Collection[str] = ("analogue",)) -> Iterator[Change]:
+    """Yield the levels, and numbers, at and beside which the comparisons of a trial turn, whatever was read."""
     for left, right in (each[-1] for each in trial.comparisons.values()):
         for (table, number, value), factor in _difference(left, right).items():
-            if table == "analogue" and isfinite(factor):
+            if table in tables and isfinite(factor):
                 read = Change(table, number, value)
-                for level in _near(read, value - (plain(left) - plain(right)) / factor, ()):
+                root = value - (plain(left) - plain(right)) / factor
+                below = () if table in ("analogue", "key") else (root - 1.0,)
+                for level in (*below, *_near(read, root, ())):
                     change = _change(read, level)
                     yield from () if change is None else (change,)
 

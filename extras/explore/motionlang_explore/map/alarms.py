@@ -17,7 +17,9 @@ from motionlang_explore.exploration import OFF, Change, Exploration, Transition,
 from motionlang_explore.map.faults import SAID, SWITCHED, WRITTEN, Begin, Fault, Sign, faults_of
 from motionlang_explore.map.guards import Guards
 from motionlang_explore.map.names import ReaderNames, is_alarm
+from motionlang_explore.map.plays import Plays
 from motionlang_explore.map.state_names import MAX_RANGES
+from motionlang_explore.map.stops import Stops
 
 # The code of a character is nothing that is said.
 _CODE = re.compile(r"""\b(?:Asc\(|INKEY\s*=\s*)["'][^"']*["']""", re.IGNORECASE)
@@ -48,10 +50,12 @@ class Alarm(NamedTuple):
 
 def alarms_of(
     exploration: Exploration, structure: Structure, names: ReaderNames, guards: Guards
-) -> tuple[list[Alarm], Sequence[Change]]:
-    """Return the alarms of a machine, and the changes that were not played."""
+) -> tuple[list[Alarm], Stops, Sequence[Change]]:
+    """Return the alarms of a machine, what stops it, and the changes that were not played."""
     is_trouble = partial(_is_trouble, exploration, names)
-    faults = faults_of(exploration, names, is_trouble)
+    plays = Plays(exploration, names)
+    stops = Stops(exploration, plays)
+    faults = faults_of(exploration, plays, is_trouble, stops)
     alarms = _played(exploration, faults.of, names, is_trouble)
     for sign, (count, begin) in faults.rare.items():
         if count and (is_trouble(sign) or sign.kind == SAID):
@@ -59,7 +63,7 @@ def alarms_of(
             alarms.append(Alarm([sign], why, is_trouble(sign), [begin], is_rare=True))
     told = {sign.at for each in alarms for sign in each.signs}
     told |= frozenset() if exploration.fault_of(exploration.world.run) else faults.seen
-    return [*alarms, *_others(exploration, structure, names, guards, told)], faults.left
+    return [*alarms, *_others(exploration, structure, names, guards, told)], stops, faults.left
 
 
 def shown(sign: Sign, names: ReaderNames) -> str:
@@ -132,8 +136,8 @@ def _seconds(seconds: float) -> str:
 
 
 def in_row(changes: Sequence[Change], names: ReaderNames) -> str:
-    """Return the changes of one channel in words, such as "input 3 (air) off or on" and "analogue input 1 = 2 or 8"."""
-    subject = names[changes[0].subject]
+    """Return the changes of one channel in words, such as "input 3 (air) off or on" and "key 1 or 2"."""
+    subject = "key" if changes[0].table == "key" else names[changes[0].subject]
     levels = [names.of(each).removeprefix(subject).strip() for each in sorted(changes)]
     equal = "= " if levels[0].startswith("= ") else ""
     return f"{subject} {equal}{_listing([each.removeprefix(equal) for each in levels], 'or')}"

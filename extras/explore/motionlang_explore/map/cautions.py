@@ -8,20 +8,20 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
 from motionlang.kernel.lang import Statement, Structure
 from motionlang.kernel.tools import ranges
 from motionlang_explore.exploration import Change, Exploration
-from motionlang_explore.map.alarms import alarms_of, in_row
+from motionlang_explore.map.alarms import Alarm, alarms_of, in_row
 from motionlang_explore.map.ends import Ends, Steps
 from motionlang_explore.map.faults import SAID
 from motionlang_explore.map.guards import Guards
 from motionlang_explore.map.names import ReaderNames
 from motionlang_explore.map.starts import starts_of
-from motionlang_explore.map.stops import stops_of
+from motionlang_explore.map.stops import Stops
 
 # In the form of a statement: a variable, one that counts the time, and the time.
 _NAME, _CLOCK, _TIME = re.compile(r"~(\w+)"), re.compile(r"~(\w+) TypeName ~time"), re.compile(r"\bTIME\b")
@@ -40,9 +40,17 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     """Return the cautions of a machine."""
     guards = Guards(structure)
     rows = list(_start(exploration, names))
-    if exploration.axes and exploration.channels:
-        rows += _stops(exploration, structure, names)
-    rows += _alarms(exploration, structure, names, guards)
+    alarms, stops, left = alarms_of(exploration, structure, names, guards)
+    if exploration.channels and (exploration.axes or exploration.world.run.machine.log.moves):
+        rows += _stops(exploration, structure, names, stops)
+    rows += _alarms(exploration, structure, names, alarms)
+    if left:
+        what = ", ".join(_rows(left, names))
+        rows.append(
+            CautionRow(
+                "alarm", "whether the machine stops, or anything else comes,", f"by {what} was not played"
+            )
+        )
     forms = (each.form for each in structure.statements.values())
     clocks = {each for form in forms for each in _CLOCK.findall(form)}
     waits = {
@@ -87,10 +95,9 @@ def _listed(changes: Iterable[Change], names: ReaderNames) -> str:
 
 
 def _alarms(
-    exploration: Exploration, structure: Structure, names: ReaderNames, guards: Guards
+    exploration: Exploration, structure: Structure, names: ReaderNames, alarms: Sequence[Alarm]
 ) -> Iterator[CautionRow]:
     """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
-    alarms, left = alarms_of(exploration, structure, names, guards)
     statements = structure.statements
     ends = Ends(
         exploration, [statements[sign.at] for each in alarms if each.is_trouble for sign in each.signs], names
@@ -107,36 +114,37 @@ def _alarms(
         verb = ("are printed", "is printed") if is_said else ("come", "comes")
         why = f"{verb[len(what) < 2]} {each.why}{' (not played)' if each.is_unplayed else ''}"
         yield CautionRow("alarm" if each.is_trouble else "said", " and ".join(what), why + back)
-    if left:
-        channels = groupby(sorted(left), key=lambda each: each.subject)
-        rows = ", ".join(in_row(list(changes), names) for _, changes in channels)
-        yield CautionRow("alarm", "whether anything else", f"comes by {rows} was not played")
 
 
 def _joined(steps: Steps, names: ReaderNames) -> str:
     return ", then ".join(" and ".join(map(names.of, step)) for step in steps)
 
 
-def _stops(exploration: Exploration, structure: Structure, names: ReaderNames) -> Iterator[CautionRow]:
+def _stops(
+    exploration: Exploration, structure: Structure, names: ReaderNames, stops: Stops
+) -> Iterator[CautionRow]:
     """Yield what cuts off moves, with their lines and the handler, and what stops the machine between its moves."""
-    cut_off, stops = exploration.cut_off(), stops_of(exploration, names)
+    cut_off = exploration.cut_off()
     for change in stops.cuts:
         cut_off.setdefault(change, set()).add(stops.move)
     yield from _cuts(cut_off, structure, names)
     ways = (each for node in exploration.nodes for each in node.transitions)
     if not cut_off and not any(ended for each in ways for _, ended in each.does.moves):
         yield CautionRow("stops", "nothing that was played", "cuts off a move to a target")
-    found: dict[int, list[str]] = defaultdict(list)
+    found: dict[int, list[Change]] = defaultdict(list)
     for change, line in stops.lines:
         if change not in cut_off:
-            found[line].append(names.of(change))
+            found[line].append(change)
     for line, changes in sorted(found.items()):
         where = f"behind line {line}" if line else "at the end of its cycle"
-        what = " or ".join(changes)
+        what = " or ".join(_rows(changes, names))
         yield CautionRow("stops", what, f"in the move of line {stops.move} stops the machine {where}")
-    if stops.left:
-        what = ", ".join(map(names.of, stops.left))
-        yield CautionRow("stops", "whether the machine stops", f"by {what} was not played")
+
+
+def _rows(changes: Iterable[Change], names: ReaderNames) -> list[str]:
+    """Return changes in words, those of one channel together."""
+    ordered = sorted(changes, key=lambda each: each.channel)
+    return [in_row(list(own), names) for _, own in groupby(ordered, key=lambda each: each.channel)]
 
 
 def _cuts(

@@ -35,8 +35,9 @@ from motionlang_explore.exploration import (
     number_in,
     without_memory,
 )
-from motionlang_explore.map.faults import Begin, Settings, inputs_until
+from motionlang_explore.map.faults import Begin
 from motionlang_explore.map.names import ReaderNames
+from motionlang_explore.map.plays import Settings, inputs_until
 
 # So many changes are tried behind each begin, and in all alarms no more is tried once they have done so much work.
 MAX_TRIED, WORK = 20, 3 * SECOND

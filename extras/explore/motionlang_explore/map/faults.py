@@ -1,9 +1,7 @@
-"""What goes wrong in the good cycle when one thing in its world is otherwise: it is played.
+"""What goes wrong in the good cycle when one thing in its world is otherwise.
 
-Each input of the world goes on or off for good in the middle of a cycle, or is so from the start; each level and number
-of a host takes the values on both sides of those at which comparisons turn. What the machine then prints, switches on
-or writes for its host, and does not in its world, is a sign of that fault. A time is told if the machine has paused for
-longer than it does there.
+What the machine prints, switches on or writes for its host in a play (`plays.py`), and does not in its world, is a sign
+of that fault. A time is told if the machine has paused for longer than it does there.
 """
 
 from __future__ import annotations
@@ -11,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from itertools import pairwise
 from math import inf
 from typing import NamedTuple
@@ -19,23 +17,15 @@ from typing import NamedTuple
 from motionlang.comparison.texts import plain
 from motionlang.kernel import Run
 from motionlang_explore.exploration import (
-    LENGTH,
-    SECOND,
-    TEXTS,
     Change,
-    Entry,
+    Channel,
     Exploration,
     entries,
-    is_reset,
-    keys_of,
-    levels,
     number_in,
 )
-from motionlang_explore.map.names import ReaderNames
-from motionlang_explore.map.starts import LEFT
+from motionlang_explore.map.plays import VALUES, Play, Plays, Settings
+from motionlang_explore.map.stops import Stops
 
-# The machine is watched for so many cycles and s behind a change; after so much work no more is played.
-CYCLES, WATCHED, WORK = 3, 12.0, 3 * SECOND
 # A pause is no shorter, s; a longer one than usual is so by a share and a time, s. A move or a given time is none, if
 # it leaves out no larger share at each end.
 PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.1
@@ -43,8 +33,6 @@ PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.1
 NEXT = 0.01
 SAID, SWITCHED, WRITTEN = "said", "switched", "written"
 _FIGURES, _MEASURED = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+")
-
-Settings = Mapping[str, object]
 
 
 class Sign(NamedTuple):
@@ -105,40 +93,32 @@ class Faults(NamedTuple):
 
 
 class _Came(NamedTuple):
-    """A sign that came with a change at a time, s, behind so many moves; the change is made in settings at `since`, s.
+    """A sign that came in a play at a time, s, behind so many moves.
 
     The `pause` before is how long it was, s, and the line behind which it came.
     """
 
-    change: Change
-    settings: Settings
-    since: float
+    play: Play
     time: float
     moves: int
     sign: Sign
     pause: tuple[float, int]
 
 
-def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable[[Sign], bool]) -> Faults:
-    """Return what goes wrong in the world of an exploration by one change, while nobody resets anything.
+def faults_of(
+    exploration: Exploration, plays: Plays, is_trouble: Callable[[Sign], bool], stops: Stops
+) -> Faults:
+    """Return what goes wrong in the world of an exploration by one change, and take note of what stops it.
 
     What is no trouble, and comes behind what is, follows from it.
     """
     run = exploration.world.run
-    since = _middle(run)
-    base, nobody_resets = without_resets(exploration, names)
-    until = since + (LENGTH if run.cycle is None else CYCLES * run.cycle.period)
-    until, most = until + WATCHED, exploration.work + WORK
     usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest
     statements = exploration.program.structure.statements
     asking = {at for at, each in statements.items() if any(use.channel == "answer" for use in each.channels)}
-    plays, left, seen = list[list[_Came]](), dict[Change, bool](), set[int]()
-    for change, time, settings in _worlds(exploration, base, since):
-        left.setdefault(change, True)
-        if exploration.work > most:
-            continue
-        left[change] = False
-        played = exploration.run(settings, until)
+    came, seen = list[list[_Came]](), set[int]()
+    for play, played in plays.all():
+        stops.take(play, played)
         all_signs = _signs(played)
         seen |= {each.at for _, each in all_signs}
         signs = [each for each in all_signs if _kind(each[1]) not in usual and each[1].at not in asking]
@@ -146,30 +126,22 @@ def faults_of(exploration: Exploration, names: ReaderNames, is_trouble: Callable
         signs = [each for each in signs if each[0] < wrong + PAUSE or is_trouble(each[1])]
         doings = _doings(exploration, played)
         begun = sorted(each.start_time for each in played.machine.log.moves)
-        plays.append(
+        came.append(
             [
-                _Came(
-                    change, settings, time, at, bisect_left(begun, at), sign, doings.pause(at, time, pauses)
-                )
+                _Came(play, at, bisect_left(begun, at), sign, doings.pause(at, play.since, pauses))
                 for at, sign in signs
             ]
         )
-    later = dict[Change, set[Sign]]()
-    if run.cycle is not None:
-        unsure = _unsure(plays)
-        for change, time, settings in _worlds(exploration, base, since + run.cycle.period):
-            if change in unsure and time and exploration.work <= most:
-                played = exploration.run(settings, until + run.cycle.period)
-                later[change] = {sign for _, sign in _signs(played)}
+    later = {play.change: {sign for _, sign in _signs(played)} for play, played in plays.later(_unsure(came))}
     known = {
         sign: list(faults.values())
-        for sign, faults in _by_sign(plays, later, nobody_resets).items()
+        for sign, faults in _by_sign(came, later, plays.nobody_resets).items()
         if "= ..." not in sign.what
     }
-    rare = _rare(run, base)
+    rare = _rare(run, plays.settings)
     seen |= {each.at for _, each in _signs(run)}
     seen -= {each.at for each, (count, _) in rare.items() if not count}
-    return Faults(known, [change for change, is_left in left.items() if is_left], rare, frozenset(seen))
+    return Faults(known, plays.left, rare, frozenset(seen))
 
 
 def _by_sign(
@@ -190,8 +162,9 @@ def _by_sign(
             if not count[sign]:
                 is_followed = play[-1].time > each.time + PAUSE and told[-1] != sign
                 goes_on = nobody_resets and (is_followed or last[sign].moves > each.moves)
-                fault = Fault(each.change, each.settings, each.since, each.time, *each.pause, *often, goes_on)
-                found[sign].setdefault(each.change, fault)
+                change, settings, since, _ = each.play
+                fault = Fault(change, settings, since, each.time, *each.pause, *often, goes_on)
+                found[sign].setdefault(change, fault)
             count[sign] += 1
             often = (sign, count[sign]) if count[sign] > 1 else often
     return found
@@ -208,77 +181,6 @@ def _rare(run: Run, settings: Settings) -> dict[Sign, tuple[int, Begin]]:
         )
         usual |= {each.at} if begin <= time < end else set()
     return {sign: count for sign, count in found.items() if sign.at not in usual}
-
-
-def without_resets(exploration: Exploration, names: ReaderNames) -> tuple[Settings, bool]:
-    """Return the settings of the world without the inputs that reset if the machine works as well, and if it does."""
-    world, inputs = exploration.world, entries(exploration.world.settings, "input")
-    left = [each for each in inputs if not is_reset(names[f"input {number_in('input', each)}"])]
-    without = {**world.settings, "input": left}
-    works = len(left) == len(inputs) or not exploration.fault_of(exploration.run(without, world.run.time))
-    return (without if works else world.settings), works
-
-
-def _middle(run: Run) -> float:
-    """Return the middle of the first move of the second cycle, or its begin."""
-    times = (0.0, run.time) if run.cycle is None else run.cycle.times
-    begin, end = times[1:3] if len(times) > 2 else times[:2]
-    moves = (each for each in run.machine.log.moves if begin <= each.start_time < end)
-    for each in moves:
-        if each.profile is not None:
-            return each.start_time + min(each.profile.duration, end - begin) / 2.0
-    return begin
-
-
-def _worlds(
-    exploration: Exploration, settings: Settings, since: float
-) -> Iterator[tuple[Change, float, Settings]]:
-    """Yield changes, their times and the worlds with them: in the middle of a cycle, then from the start."""
-    run, always = exploration.world.run, list[tuple[Change, Settings]]()
-    for number in exploration.inputs:
-        own = [each for each in entries(settings, "input") if number_in("input", each) == number]
-        is_left = len(own) == 1 and own[0].keys() <= LEFT
-        others = [0.0 if own[0].get("value", 1) else 1.0] if is_left else [0.0, 1.0] if own else [1.0]
-        for level in others:
-            change = Change("input", number, level)
-            yield change, since, changed(settings, run, change, since)
-            if len(others) == 1 or not level:
-                always.append((change, _given(settings, change, [{"at": 0.0, "value": level}])))
-    for change in _values(exploration):
-        own = [
-            each for each in entries(settings, change.table) if number_in(change.table, each) == change.number
-        ]
-        yield change, since, _given(settings, change, [*own, {"value": change.value, "at": since}])
-        always.append((change, _given(settings, change, [{"value": change.value, "at": 0.0}])))
-    yield from ((change, 0.0, given) for change, given in always)
-
-
-def changed(settings: Settings, run: Run, change: Change, since: float) -> Settings:
-    """Return settings in which an input is as it was in a run until a time, s, and then as a change says."""
-    was = [each for each in inputs_until(run, since) if each["channel"] == change.number]
-    return _given(settings, change, [*was, {"at": since, "value": change.value}])
-
-
-def inputs_until(run: Run, time: float) -> list[Entry]:
-    """Return the entries of the inputs that have changed in a run before a time, s."""
-    past = (each for each in run.machine.log.inputs if each.time < time)
-    return [{"channel": each.channel, "at": each.time, "value": each.value} for each in past]
-
-
-def _values(exploration: Exploration) -> list[Change]:
-    """Return the levels and the numbers of a host at which the comparisons of the program turn, one on each side."""
-    causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)
-    tried = [Change(one.table, one.number, one.value) for one in causes if one.table not in ("input", *TEXTS)]
-    world = exploration.world
-    compared = levels(exploration.play_in(world.settings, world.run.time).trial)
-    return list(dict.fromkeys((*tried, *compared)))
-
-
-def _given(settings: Settings, change: Change, rules: Sequence[Entry]) -> Settings:
-    """Return settings in which the channel of a change has other entries."""
-    table = change.table
-    others = [each for each in entries(settings, table) if number_in(table, each) != change.number]
-    return {**settings, table: [*others, *({**keys_of(*change.channel), **each} for each in rules)]}
 
 
 def _signs(run: Run) -> list[tuple[float, Sign]]:
@@ -314,11 +216,22 @@ def _kind(sign: Sign) -> Sign:
 
 
 def _counting(plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]]) -> set[Sign]:
-    """Return the forms of what has numbers that count, or measure: they differ in a play, or a cycle later."""
+    """Return the forms of what has numbers that count, or measure: they differ in a play, or a cycle later.
+
+    What has the number that was given, with two of them, repeats it.
+    """
     found = {form for play in plays for form, signs in _by_form(play).items() if len(signs) > 1}
+    given = defaultdict[tuple[Sign, Channel], set[str]](set)
+    for each in (each for play in plays for each in play if each.play.change.table in VALUES):
+        change = each.play.change
+        value = change.value if isinstance(change.value, str) else f"{change.value:g}"
+        if value in _FIGURES.findall(each.sign.what):
+            given[form_of(each.sign), change.channel].add(value)
+    found |= {form for (form, _), values in given.items() if len(values) > 1}
     unsure = _unsure(plays)
-    for each in (each for play in plays for each in play if each.since and each.change in later):
-        if form_of(each.sign) in unsure[each.change] and each.sign not in later[each.change]:
+    for each in (each for play in plays for each in play if each.play.since and each.play.change in later):
+        change = each.play.change
+        if form_of(each.sign) in unsure[change] and each.sign not in later[change]:
             found.add(form_of(each.sign))
     return found
 
@@ -327,7 +240,7 @@ def _unsure(plays: Sequence[Sequence[_Came]]) -> Mapping[Change, set[Sign]]:
     """Return the forms whose numbers differ by when a change is made, by change: they may count."""
     by_change, found = defaultdict[Change, list[_Came]](list), dict[Change, set[Sign]]()
     for each in (each for play in plays for each in play):
-        by_change[each.change].append(each)
+        by_change[each.play.change].append(each)
     for change, came in by_change.items():
         forms = {form for form, signs in _by_form(came).items() if len(signs) > 1}
         found |= {change: forms} if forms else {}

@@ -28,6 +28,7 @@ from motionlang_explore.exploration import (
     made_by,
 )
 from motionlang_explore.map.names import ReaderNames, spaced
+from motionlang_explore.map.plays import LEFT
 
 # So much longer than the first cycle the machine is watched, s, and a share; after so much work no more is played.
 WATCHED, LONGER, WORK = 1.0, 1.2, SECOND
@@ -37,8 +38,8 @@ WHOLE = 0.8
 MIN_MOVES = 0.5
 # Nobody gives these by chance.
 GIVEN = ("key", "answer", "comms", "netdata", "modbus.register")
-# What is left on has no other keys than these, and what follows something has one of those.
-LEFT, FOLLOWS = {"channel", "at", "value"}, {"output", "axis"}
+# What follows something has one of these keys.
+FOLLOWS = {"output", "axis"}
 
 
 class Starts(NamedTuple):

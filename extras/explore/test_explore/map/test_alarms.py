@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from motionlang_explore.map import faults, stops
+from motionlang_explore.map import plays
 from tests.cli.programs import Cell
 
 # Steps in a variable, a count, times, two buttons that reset, and alarms that no trial reaches.
@@ -658,21 +658,51 @@ def test_what_stops_the_machine_between_its_moves_is_played(cell: Cell) -> None:
     ]
 
 
-def test_what_was_not_played_of_the_alarms_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    cell.write("a.mnt", MISSING)
-    monkeypatch.setattr(faults, "WORK", 0)
+# The run switch parks the head, an unknown kind and a cold pot wait, and a label that does not come is said late.
+REFUSED = """\
+' IN 1 run switch  IN 2 label at gate   ADC 0 glue pot   NET 1 = kind of label 1..3
+Dim kind As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  If Not INX(1) Then
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+    Pause INX(1)
+  End If
+  Pause NETINTEGER(1) > 0
+  kind = NETINTEGER(1)
+  If kind > 3 Then
+    Print "KIND ", kind, " unknown"
+    Pause NETINTEGER(1) <> kind
+  Else
+    Pause ADC(0) > 40
+    TIME = 0
+    Pause INX(2) Or TIME > 20000
+    If Not INX(2) Then Print "NO LABEL"
+    MOVER(0) = 30 : GO(0) : Pause IDLE(0)
+    Print "PIECE OK"
+    Wait(200)
+  End If
+End Loop
+"""
+
+
+def test_levels_and_numbers_of_a_host_stop_the_machine_too(cell: Cell) -> None:
+    cell.write("a.mnt", REFUSED)
     shown = cell("map", "a.mnt", "--all").out.replace("\n      ", " ").splitlines()
-    assert [line.strip() for line in shown if "anything else" in line] == [
-        "whether anything else comes by analogue input 0 (weight) = 38, 42, 58 or 62, input 6 (ball seen) off, "
-        "input 7 (reset) on was not played",
+    assert [line.strip() for line in shown if "stops the machine" in line or " by " in line] == [
+        "analogue input 0 (glue pot) = 38 or input 1 (run switch) off in the move of line 19 stops the machine "
+        "at the end of its cycle",
+        "'NO LABEL' comes by input 2 (label at gate) off 20 s after line 20, line 18",
+        "'KIND ... unknown' is printed by network data 1 (kind of label 1..3) = 4 or 5, line 12",
+        "by itself → 7, 0.00 s: axis 0 to 0",
     ]
 
 
-def test_what_was_not_played_of_the_stops_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
-    cell.write("a.prg", STOPS)
-    monkeypatch.setattr(stops, "WORK", 0)
-    shown = cell("map", "a.prg", "--all").out.splitlines()
-    assert [line.strip() for line in shown if "machine stops" in line or "stops the machine" in line] == [
-        "input 2 (door shut) off in the move of line 8 stops the machine behind line 8",
-        "whether the machine stops by input 3 (stop released) off, key 9 was not played",
+def test_what_was_not_played_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
+    cell.write("a.mnt", MISSING)
+    monkeypatch.setattr(plays, "WORK", 0)
+    shown = cell("map", "a.mnt", "--all").out.replace("\n      ", " ").splitlines()
+    assert [line.strip() for line in shown if "anything else" in line] == [
+        "whether the machine stops, or anything else comes, by analogue input 0 (weight) = 38, 42, 58 or 62, "
+        "input 1 (start) off, input 6 (ball seen) off, input 7 (reset) on was not played",
     ]

@@ -96,12 +96,13 @@ def read_key(environment: Environment, row: Keyword) -> Operation:
         )  # keys are also pressed while the program reads another terminal
 
     def read(number: int) -> int:
+        key = 0
         for each in terminals.bits(_pattern(number)):
             key = operator_at(each).next_key()
             if key:
                 environment.acts += 1
-                return key
-        return 0
+                break
+        return key
 
     return read
 

@@ -1,0 +1,205 @@
+"""The good cycle with one thing in its world otherwise: it is played.
+
+Each input of the world goes on or off for good in the middle of a cycle, or is so from the start; each level and number
+of a host takes the values on both sides of those at which comparisons turn; each key that the program reads is pressed.
+Nobody resets anything, nor pushes a button any more, if the machine works as well without.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from functools import reduce
+from typing import NamedTuple
+
+from motionlang.kernel import Run
+from motionlang.kernel.log import LoggedMove
+from motionlang_explore.exploration import (
+    LENGTH,
+    SECOND,
+    TABLES,
+    Change,
+    Entry,
+    Exploration,
+    entries,
+    is_pushed,
+    is_reset,
+    keys_of,
+    levels,
+    number_in,
+)
+from motionlang_explore.map.names import ReaderNames
+
+# The machine is watched for so many cycles and s behind a change, where it moves no more so much longer, s; after so
+# much work no more is played.
+CYCLES, WATCHED, LONGER, WORK = 3, 12.0, 48.0, 4 * SECOND
+# What is left on has no other keys than these.
+LEFT = {"channel", "element", "server", "register", "at", "value"}
+# What has values: levels, numbers of a host and keys. An answer is given when it is asked for.
+VALUES = tuple(table for table in TABLES if table not in ("input", "answer"))
+
+Settings = Mapping[str, object]
+
+
+class Play(NamedTuple):
+    """A change in the world of the cycle, the settings with it, and when it is made, s, 0.0 from the start.
+
+    Its channel `is_left` if nothing else changes it.
+    """
+
+    change: Change
+    settings: Settings
+    since: float
+    is_left: bool
+
+
+class Plays:
+    """The plays of the good cycle of an exploration, each with one change.
+
+    A change is made at `since`, s, in the middle of the first `move` of a cycle, or at its begin if that has none.
+    `nobody_resets` anything if the machine works so. `left` are the changes that were not played.
+    """
+
+    def __init__(self, exploration: Exploration, names: ReaderNames) -> None:
+        self._exploration = exploration
+        self.left = list[Change]()
+        world = self._world = exploration.world.run
+        self.period, cycles = (LENGTH, 1) if world.cycle is None else (world.cycle.period, CYCLES)
+        self.move, self.since = _middle(world)
+        self._watched = cycles * self.period + WATCHED
+        self._most = exploration.work + WORK
+        self.settings, self.nobody_resets = self._without_resets(names)
+        self._released = self._without_hands(names)
+
+    def all(self) -> Iterator[tuple[Play, Run]]:
+        """Yield each play with its run: the changes in the middle of a cycle, then those from the start."""
+        was_played = dict[Change, bool]()
+        for play in self._plays(self.since):
+            goes_on = self._exploration.work <= self._most
+            was_played[play.change] = was_played.get(play.change, False) or goes_on
+            if goes_on:
+                yield play, self._run(play.settings, self.since)
+        self.left = [change for change, is_known in was_played.items() if not is_known]
+
+    def later(self, changes: Collection[Change]) -> Iterator[tuple[Play, Run]]:
+        """Yield the plays with some changes one cycle later."""
+        since = self.since + self.period
+        for play in self._plays(since) if self._world.cycle is not None else ():
+            if play.since and play.change in changes and self._exploration.work <= self._most:
+                yield play, self._run(play.settings, since)
+
+    def _run(self, settings: Settings, since: float) -> Run:
+        """Run the machine with a change; where it begins no move any more it is watched longer."""
+        until = since + self._watched
+
+        def goes_on(run: Run) -> bool:
+            return any(each.start_time > until - WATCHED for each in run.machine.log.moves)
+
+        return self._exploration.watch(settings, until, until + LONGER, stands=goes_on)
+
+    def _without_resets(self, names: ReaderNames) -> tuple[Settings, bool]:
+        """Return the settings of the world without the inputs that reset if it works as well, and if it does."""
+        settings, exploration = self._exploration.world.settings, self._exploration
+        inputs = entries(settings, "input")
+        left = [each for each in inputs if not is_reset(names[f"input {number_in('input', each)}"])]
+        without = {**settings, "input": left}
+        works = len(left) == len(inputs) or not exploration.fault_of(
+            exploration.run(without, self._world.time)
+        )
+        return (without if works else settings), works
+
+    def _without_hands(self, names: ReaderNames) -> Settings:
+        """Return the settings in which nobody pushes a button behind a change any more, if the machine goes on so."""
+        given = dict.fromkeys(number_in("input", each) for each in entries(self.settings, "input"))
+        pushed = [number for number in given if is_pushed(names[f"input {number}"])]
+        offs = [Change("input", number, 0.0) for number in pushed]
+        released = reduce(lambda made, off: self._changed(made, off, self.since), offs, self.settings)
+        begun = (each.start_time for each in self._run(released, self.since).machine.log.moves)
+        return released if any(time > self.since + 2.0 * self.period for time in begun) else self.settings
+
+    def _plays(self, since: float) -> Iterator[Play]:
+        """Yield the plays with the changes at a time, then with those from the start."""
+        always, released = list[Play](), self._released
+        for change in self._inputs():
+            own = _own(self.settings, change)
+            is_left = not own or (len(own) == 1 and own[0].keys() <= LEFT)
+            yield Play(change, self._changed(released, change, since), since, is_left)
+            if is_left or not change.value:
+                always.append(self._always(change, is_left))
+        for change in self._values():
+            own, is_key = self._steady(change), change.table == "key"
+            is_left = is_key or (len(own) < 2 and all(each.keys() <= LEFT for each in own))
+            made = {"text" if is_key else "value": change.value, "at": since}
+            yield Play(change, _given(released, change, [*own, made]), since, is_left)
+            if not is_key:
+                always.append(self._always(change, is_left))
+        yield from always
+
+    def _always(self, change: Change, is_left: bool) -> Play:
+        return Play(change, _given(self.settings, change, [{"at": 0.0, "value": change.value}]), 0.0, is_left)
+
+    def _inputs(self) -> Iterator[Change]:
+        """Yield the levels of each input that it does not have all the time."""
+        for number in self._exploration.inputs:
+            own = _own(self.settings, Change("input", number, 0.0))
+            is_left = len(own) == 1 and own[0].keys() <= LEFT
+            others = [0.0 if own[0].get("value", 1) else 1.0] if is_left else [0.0, 1.0] if own else [1.0]
+            yield from (Change("input", number, level) for level in others)
+
+    def _values(self) -> list[Change]:
+        """Return the values at which the comparisons of the program turn, on both sides, and the keys of no world."""
+        exploration, world = self._exploration, self._exploration.world
+        causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)
+        tried = [
+            Change(one.table, one.number, one.value)
+            for one in causes
+            if one.table in VALUES and not one.moment.line
+        ]
+        compared = levels(exploration.play_in(world.settings, world.run.time).trial, VALUES)
+        known = {each.get("text") for each in entries(world.settings, "key")}
+        return list(dict.fromkeys(one for one in (*tried, *compared) if one.value not in known))
+
+    def _steady(self, change: Change) -> list[Entry]:
+        """Return the entries of a channel; what was asked for once stays from then on."""
+        own, events = _own(self.settings, change), self._world.machine.log.events
+        asked = [
+            each.time for each in events if each.kind == "asked" and each.text.startswith(change.subject)
+        ]
+        if len(own) == 1 and len(asked) == 1 and "value" in own[0]:
+            return [{"value": own[0]["value"], "at": asked[0]}]
+        return own
+
+    def _changed(self, settings: Settings, change: Change, since: float) -> Settings:
+        """Return settings in which an input is as in the world until a time, s, and then as a change says."""
+        was = [each for each in inputs_until(self._world, since) if each["channel"] == change.number]
+        return _given(settings, change, [*was, {"at": since, "value": change.value}])
+
+
+def inputs_until(run: Run, time: float) -> list[Entry]:
+    """Return the entries of the inputs that have changed in a run before a time, s."""
+    past = (each for each in run.machine.log.inputs if each.time < time)
+    return [{"channel": each.channel, "at": each.time, "value": each.value} for each in past]
+
+
+def _middle(run: Run) -> tuple[LoggedMove | None, float]:
+    """Return the first move of the second cycle and its middle, or no move and the begin of the cycle."""
+    times = (0.0, run.time) if run.cycle is None else run.cycle.times
+    begin, end = times[1:3] if len(times) > 2 else times[:2]
+    moves = (each for each in run.machine.log.moves if begin <= each.start_time < end)
+    for each in moves:
+        if each.profile is not None:
+            return each, each.start_time + min(each.profile.duration, end - begin) / 2.0
+    return None, begin
+
+
+def _own(settings: Settings, change: Change) -> list[Entry]:
+    """Return the entries of the channel of a change."""
+    return [
+        each for each in entries(settings, change.table) if number_in(change.table, each) == change.number
+    ]
+
+
+def _given(settings: Settings, change: Change, rules: Sequence[Mapping[str, object]]) -> Settings:
+    """Return settings in which the channel of a change has other entries."""
+    table = change.table
+    others = [each for each in entries(settings, table) if number_in(table, each) != change.number]
+    return {**settings, table: [*others, *({**keys_of(*change.channel), **each} for each in rules)]}
