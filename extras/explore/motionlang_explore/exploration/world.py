@@ -190,6 +190,7 @@ class _Description:
         for _ in range(PASSES):
             self._describe_inputs()
         self._describe_as_pulses()
+        self._describe_levels()
         self._describe_writes()
         self._describe_others()
         self._take(self._released())
@@ -204,6 +205,16 @@ class _Description:
         for number, changes in sorted(self._flips.items(), key=lambda each: (len(each[1]), each[0])):
             first: Entry = {"channel": number, "at": round(changes[0][0], 1)}
             self._take(self._with(each, number) for each in self._rules(first, changes))
+
+    def _describe_levels(self) -> None:
+        """Let each analogue input have one of its levels all the time."""
+        given = entries(self._settings, "analogue")
+        for number in dict.fromkeys(number_in("analogue", each) for each in given):
+            own = [each for each in given if number_in("analogue", each) == number]
+            others = [each for each in entries(self._settings, "analogue") if each not in own]
+            levels = dict.fromkeys(each.get("value") for each in own) if len(own) > 1 else ()
+            steady = ({"channel": number, "value": each, "at": 0.0} for each in levels)
+            self._take({**self._settings, "analogue": [*others, each]} for each in steady)
 
     def _describe_writes(self) -> None:
         """Let each number of a host and each key that comes again follow the simplest rule."""

@@ -175,7 +175,7 @@ MC4
 def test_the_cycle_is_that_of_a_part_that_takes_long(cell: Cell) -> None:
     cell.write("a.mccl", STROKES)
     shown = cell("map", "a.mccl", "--all").out.splitlines()
-    assert shown[shown.index("Cycle") + 1] == "36.461 s, 8 times (lines 8 to 15), cycle(print PART)"
+    assert shown[shown.index("Cycle") + 1] == "36.461 s, 11 times (lines 8 to 15), cycle(print PART)"
     assert [" ".join(each.split()) for each in shown if "times more" in each] == [
         "4.971 8 6 times more: lines 8, 9, 11 29.828"
     ]
