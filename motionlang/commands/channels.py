@@ -199,14 +199,7 @@ def only_named(names: Iterable[Named], channels: Iterable[Channel]) -> list[Name
     """
     channels = list(channels)
     used = {(each.kind, each.number) for each in channels}
-    open_ended = {kind for kind, number in used if not number.isdecimal()}
-    banks = [
-        each.kind
-        for each in channels
-        if each.kind.endswith(" bank")
-        and (each.reads or each.waits or any(value != "0" for value in each.values))
-    ]
-    open_ended |= {kind.removesuffix(" bank") for kind in banks}
+    open_ended = {kind for kind, number in used if not number.isdecimal()} | _banks(channels).keys()
     return [
         each
         for each in names
@@ -214,6 +207,30 @@ def only_named(names: Iterable[Named], channels: Iterable[Channel]) -> list[Name
         and each.kind not in open_ended
         and (each.kind, str(each.number)) not in used
     ]
+
+
+def in_bank(names: Iterable[Named], channels: Iterable[Channel]) -> list[Channel]:
+    """Return the inputs and outputs that comments name and a program uses by their bank alone, if it has one."""
+    channels = list(channels)
+    used, banks = {(each.kind, each.number) for each in channels}, _banks(channels)
+    found: dict[tuple[str, int], Channel] = {}
+    for each in names:
+        key, own = (each.kind, each.number), banks.get(each.kind, [])
+        if len(own) == 1 and (each.kind, str(each.number)) not in used and key not in found:
+            bank, named_by = own[0], f"comment, line {each.line}"
+            lines = [*bank.reads], [*bank.writes], [*bank.waits]
+            found[key] = Channel(each.kind, str(each.number), each.name, named_by, *lines)
+    return list(found.values())
+
+
+def _banks(channels: Iterable[Channel]) -> dict[str, list[Channel]]:
+    """Return the banks that are read, or written with more than 0, by the kind of their channels."""
+    found: dict[str, list[Channel]] = {}
+    for each in channels:
+        is_used = each.reads or each.waits or any(value != "0" for value in each.values)
+        if each.kind.endswith(" bank") and is_used:
+            found.setdefault(each.kind.removesuffix(" bank"), []).append(each)
+    return found
 
 
 def _is_polled(use: ChannelUse, readings: Iterable[Read]) -> bool:

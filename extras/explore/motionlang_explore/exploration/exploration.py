@@ -101,6 +101,11 @@ class Exploration:
         return frozenset(each for each in self._explorer.trials.seen if isinstance(each, int))
 
     @property
+    def decided(self) -> Mapping[int, Collection[Channel]]:
+        """The channels on which the conditions of statements have depended, by their source offsets."""
+        return self._explorer.decided
+
+    @property
     def missed(self) -> list[int]:
         """The lines with a statement that no trial has carried out."""
         return self.without(self.begun)

@@ -6,7 +6,7 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from motionlang.commands.channels import Channel, channels, only_named, order_of
+from motionlang.commands.channels import Channel, channels, in_bank, only_named, order_of
 from motionlang.kernel import Dialect, Program, Source, dialect, dialect_for, settings_next_to
 from motionlang.kernel.lang import Structure, comments_of, names_in_comments, remarks, without_marks
 from motionlang_explore.exploration import (
@@ -58,7 +58,7 @@ def program_map(program: Program, language: Dialect) -> ProgramMap:
         source,
         language,
         structure,
-        sorted((*used, *only), key=order_of),
+        sorted((*used, *in_bank(names, used), *only), key=order_of),
         axes(structure, names),
         made,
         variables(structure, program.names.definitions, names),
@@ -96,6 +96,7 @@ def map_of_exploration(exploration: Exploration) -> ProgramMap:
     """Return the map of a program that was explored."""
     made = program_map(exploration.program, dialect(exploration.program.language))
     _wait_as_played(made, exploration)
+    _decide_as_played(made, exploration)
     names = ReaderNames(made.channels, made.axes, made.variables)
     made.behaviour = behaviour_of(exploration, made.structure, names, made.unreached)
     return made
@@ -117,6 +118,19 @@ def _wait_as_played(made: ProgramMap, exploration: Exploration) -> None:
         lines = sorted({*one.reads, *one.waits})
         known = {line for line in lines if line in waits | played[one.title]} | ({*one.waits} - begun)
         one.waits, one.reads = sorted(known), [line for line in lines if line not in known]
+
+
+def _decide_as_played(made: ProgramMap, exploration: Exploration) -> None:
+    """Tell the conditions that each channel has decided by way of variables, too."""
+    statements, found = made.structure.statements, defaultdict[str, dict[str, None]](dict)
+    for at, decided in sorted(exploration.decided.items()):
+        condition = statements[at].condition if at in statements else ""
+        for channel in decided if condition else ():
+            subject = Change(*channel, 0.0).subject
+            found[subject][f"{statements[at].line}: {condition}"] = None
+    for one in made.channels:
+        own = one.decides | found["a key" if one.kind == "key" else one.title]
+        one.decides = dict(sorted(own.items(), key=lambda each: int(each[0].partition(":")[0])))
 
 
 def mapped(program: str | Source, machine: Mapping[str, object] | None = None) -> ProgramMap:

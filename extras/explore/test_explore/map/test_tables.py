@@ -139,6 +139,23 @@ def test_values_and_conditions_are_whole() -> None:
     assert found.structure.statements[text.index("PRINT")].text == 'PRINT ":)", (INX.3)'
 
 
+def test_an_output_that_only_its_bank_switches_has_the_lines_of_the_bank() -> None:
+    lamp = channel("REM OUT 0 valve  OUT 2 lamp\nOUTX.0 = 1\nOUT = 4\n", "output 2")
+    assert (lamp.name, lamp.writes) == ("lamp", [3])
+
+
+def test_a_pulse_is_told_by_its_time() -> None:
+    assert channel("PULSEOUTX.3 = 50\n", "output 3").values == ["on for 50 ms"]
+
+
+def test_a_level_decides_by_way_of_a_variable_as_it_was_played() -> None:
+    text = "t = ADC.0 / 5\nIF t < 4 THEN MOVER.0 = 1 : GO.0\n"
+    (gauge,) = (
+        each for each in motionlang.map(Source("a.prg", text)).channels if each.kind == "analogue input"
+    )
+    assert list(gauge.decides) == ["2: t < 4"]
+
+
 def test_a_parameter_decides_what_its_sub_reads_not_what_stands_above_it() -> None:
     text = "Sub Ready\n  Pause INX(1)\nEnd Sub\nSub Fed(ByVal to As Float)\n  If to > 3 Then Ready\nEnd Sub\nFed(4)\n"
     found = {each.name: list(each.decides) for each in made(text).variables}
