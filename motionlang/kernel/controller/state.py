@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from motionlang.kernel import controller
@@ -76,8 +77,8 @@ class ControllerState:
         if pending is not None:
             pending.cancel()
         self.outputs[channel] = 1
-        end = self.clock.now + duration
-        self._pulses[channel] = self.clock.at(end, lambda: self.outputs.__setitem__(channel, 0))
+        end, origin = self.clock.now + duration, self.log.origin()
+        self._pulses[channel] = self.clock.at(end, partial(self.outputs.set, channel, 0, origin))
 
     def notify(self, what: str, axis: int) -> None:
         """Notify the listeners of a kind; they may unsubscribe meanwhile."""

@@ -72,15 +72,17 @@ class Channels:
     def __setitem__(self, channel: int, value: float) -> None:
         self.set(channel, value)
 
-    def set(self, channel: int, value: float) -> bool:
-        """Set a channel; return True if that changed it."""
+    def set(self, channel: int, value: float, origin: tuple[int, int] | None = None) -> bool:
+        """Set a channel by the present statement, or by another one; return True if that changed it."""
         if self._values.get(channel, 0) == value:
             return False
         self._values[channel] = value
         if self.changes is not None:
-            now, origin = self._clock.now, self._origin
+            now, present = self._clock.now, self._origin
             self.changes.add(
-                Changed(now, channel, value) if origin is None else Switched(now, channel, value, *origin())
+                Changed(now, channel, value)
+                if present is None
+                else Switched(now, channel, value, *(origin or present()))
             )
         self._notify(channel)
         return True
@@ -169,8 +171,8 @@ class AnalogueInputs(Channels):
             level = self._values.get(channel, 0)
         return reading(level, self.table, channel) if self.traces else level
 
-    def set(self, channel: int, value: float) -> bool:
-        """Set a channel; return True if that changed it."""
+    def set(self, channel: int, value: float, origin: tuple[int, int] | None = None) -> bool:
+        """Set a channel by the present statement, or by another one; return True if that changed it."""
         self.settle()
         return super().set(channel, value)
 
