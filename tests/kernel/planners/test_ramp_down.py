@@ -10,8 +10,8 @@ from math import inf, pi, sin
 
 import pytest
 
-from motionlang.kernel.planners import Profile, plan, plan_trapezoid
-from motionlang.kernel.planners.ramp_down import admitted, onset, residual_ramp_down, shaped
+from motionlang.kernel.planners import Profile, plan, plan_trapezoid, plan_velocity
+from motionlang.kernel.planners.ramp_down import admitted, onset, residual_ramp_down, shaped, stop_in_motion
 from tests.kernel.planners.cases import plan_jerk
 
 S_RAMP = plan_jerk(0.0, 1000.0, 100.0, 50.0, 50.0, 100.0, 100.0)
@@ -115,3 +115,12 @@ def test_the_acceleration_that_a_ramp_takes_over(
 ) -> None:
     """It speeds up at 10 and slows down at 20."""
     assert admitted(acceleration, velocity, 10.0, 20.0) == expected
+
+
+def test_a_jog_that_slows_down_to_a_lower_speed_is_stopped() -> None:
+    """It slows down from 18 to 6 in 3 s. The stop follows the second half of that, and takes 1.5 s from 6 on."""
+    slower = plan_velocity("sinusoidal", 0.0, 18.0, 6.0, 2.0 * pi, 2.0 * pi)
+    made = stop_in_motion(slower, 1.5, "sinusoidal", 2.0 * pi, 0.0)
+    assert made.at(0.0).velocity == pytest.approx(12.0)
+    assert made.velocity(1.5) == pytest.approx(6.0)
+    assert (made.duration, made.end_velocity) == pytest.approx((3.0, 0.0))

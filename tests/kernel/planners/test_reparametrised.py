@@ -202,7 +202,8 @@ def test_every_kind_answers_as_its_samples_say(index: int) -> None:
     n = 4001
     t = np.arange(n) * (duration / (n - 1))
     by_hand = [
-        np.array([read(x) for x in t.tolist()]) for read in (made.position, made.velocity, made.acceleration)
+        np.array([read(x) for x in t.tolist()])
+        for read in (made.position, made.velocity, made.acceleration, lambda x: made.at(x).jerk)
     ]
     for order, column in enumerate(by_hand):
         found = PieceTable((0.0,), (made,)).sample(0.0, duration / (n - 1), n, order)

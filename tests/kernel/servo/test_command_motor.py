@@ -38,6 +38,15 @@ def test_a_drive_has_nothing_of_the_motor(capsys: pytest.CaptureFixture[str]) ->
     assert found == {"speed_per_volt": 10_000.0, "time_constant": 0.003, "quantised": False}
 
 
+@pytest.mark.parametrize(
+    ("text", "is_quantised"), [("0", False), ("1", True), ("false", False), ("True", True)]
+)
+def test_a_flag_is_given_in_figures_or_in_words(
+    text: str, is_quantised: bool, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert plant(capsys, "step", "--plant", f"quantised={text}")["quantised"] is is_quantised
+
+
 def test_a_bandwidth_leaves_the_motor_of_the_machine_file_unchanged(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -205,6 +205,14 @@ def test_axes_whose_rates_are_no_numbers_stay_with_their_places() -> None:
     assert edits(improved("meet.mnt", text)) == {}
 
 
+def test_axes_stay_with_their_places_if_no_number_sets_the_jerk_of_a_stop() -> None:
+    """Axis 1 has no DECELJERKTIME, so the jerk of its stop would not be scaled with that of axis 0."""
+    text = MEETING.format(TIMES[0], TIMES[1].replace(" : DECELJERKTIME(1) = 30", ""))
+    found = improved("meet.mnt", text, **{"axis.0.limits.jerk": 1e6, "axis.1.limits.jerk": 1e6})
+    assert edits(found) == {}
+    assert {each.reason for each in found.held} == {"its axis moves with axis 1, which keeps its own"}
+
+
 @cases("lamp", [
     "TIMEREVENT = 400\n{}Event TIMER\n  lamp = 1 - lamp : OUTX(5) = lamp\nEnd Event\n",
     "Run tkLamp\n{}Task tkLamp\n  Loop\n    OUTX(5) = 1 : Wait(330)\n    OUTX(5) = 0 : Wait(330)\n"

@@ -9,10 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from motionlang.kernel import Source, read_machine
+from motionlang.kernel import Source, read_machine, run
 from motionlang_explore.identification import Digital, LevelChange, rules_of
 from motionlang_explore.identification.positions import Series
 from motionlang_explore.init.recorded.levels import levels_of
+from motionlang_explore.init.recorded.outcome import clock_of
 from motionlang_explore.init.recorded.recording import MeasuredRecording, machine_positions, since
 from test_explore.init.recordings import FOLDER, Logger, csv_of, machine_run, world_of
 from tests.cli.programs import Cell
@@ -287,6 +288,22 @@ def test_an_input_that_a_position_changes_in_one_direction_alone_does_not_follow
     assert "axis 0" not in [each.subject for each in found]
 
 
+def test_an_input_may_be_on_to_either_side_of_a_region() -> None:
+    """To and fro at 100 uu/s, with a row each 10 ms; the input is off from 40 to 60 uu."""
+    times = np.arange(0.0, 16.0, 0.01)
+    values = 100.0 * np.abs((times + 1.0) % 2.0 - 1.0)
+    levels = ((values < 40.0) | (values > 60.0)).astype(int)
+    rows = np.flatnonzero(np.diff(levels)) + 1
+    changes = tuple(LevelChange(float(times[k]), int(levels[k]), 0.005) for k in rows)
+    recording = MeasuredRecording(0.0, 16.0, 0.01, positions={0: Series("", times, values)})
+    first, *_ = rules_of(3, Digital("in3", 1, changes), recording)
+    near = partial(pytest.approx, abs=1.0)
+    assert first.entries == (
+        {"channel": 3, "axis": 0, "below": near(40.0)},
+        {"channel": 3, "axis": 0, "above": near(60.0)},
+    )
+
+
 def test_a_new_zero_in_motion_is_no_step() -> None:
     """At 1 uu per row, the third row has the zero."""
     series = Series("", np.arange(8.0), np.array([50.0, 51.0, 0.0, 1.0, 2.0, 3.0, 4.0, 5.0]))
@@ -321,6 +338,18 @@ def test_the_times_of_a_fast_clock_are_divided_by_its_rate() -> None:
     """The clock of the recording counts 2 s a second."""
     later = since(MeasuredRecording(3.0, 13.0, 0.2), 1.0, 2.0)
     assert (later.begin, later.end, later.step) == (1.0, 6.0, 0.1)
+
+
+def test_a_wait_that_an_output_ends_does_not_hide_how_long_it_is_on() -> None:
+    """Task 5 ends as it switches the output on, and in that instant ends the wait for the input that follows it.
+
+    The output is on for 0.5 s, and the recording counts 0.3 % more; while it is off the program waits for the input.
+    """
+    text = "MD5,WA0.2,CN34\nMD6,WA0.7,CF34\nGT5,GT6,WN3,WA1,RP9\n"
+    made = run(Source("a.mccl", text), machine={"input": [{"channel": 3, "output": 34, "delay": 0.0}]})
+    changes = tuple(LevelChange(1.003 * each.time, int(each.value)) for each in made.machine.log.outputs)
+    recording = MeasuredRecording(0.0, 12.0, 0.001, outputs={34: Digital("out34", 0, changes)})
+    assert clock_of(made, recording) == pytest.approx(1.003)
 
 
 FEED = """\

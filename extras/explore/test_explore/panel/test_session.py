@@ -46,6 +46,14 @@ def test_a_program_runs_from_rest_to_rest(tmp_path: Path) -> None:
         assert [words for _, words in hand.record] == ["input 1 on", "input 2 on"]
 
 
+def test_the_velocity_of_an_axis_is_in_user_units(tmp_path: Path) -> None:
+    with operated(
+        tmp_path / "jog.mnt", "SCALE(0) = 100\nACCEL(0) = 1000\nJOG(0) = 20\nPause INX(1)\n"
+    ) as hand:
+        hand("run")
+        assert hand.sees(lambda state: state["t"] > 0.1)["axes"][0][1] == 20.0
+
+
 def test_a_move_has_its_start_to_a_millisecond_and_its_line(tmp_path: Path) -> None:
     """The count to ten takes 0.1 ms at least."""
     count = "For n = 1 To 10\nNext\n"

@@ -30,6 +30,7 @@ LOOPS: list[tuple[str, list[tuple[str, float, float, tuple[str, ...]]]]] = [
      [("RP1", 0.2, 0.4, ("MC1\n", "MC1,")), ("RP1", 0.0, 0.4, ("MC1\n",))]),
     # Less than a hundred commands leave no record.
     ("NO,RP49", []),
+    ("WA0.5\nNO,RP48", []),
     ("NO,RP60", [("RP60", 0.0, 0.00122, ())]),
     # An error leaves the line, BK the line or the macro.
     ("WA0.1,AA1,IB3,RP,NO,TR999,WA9", [("RP", 0.0, 0.3, ())]),
