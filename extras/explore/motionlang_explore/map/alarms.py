@@ -99,10 +99,9 @@ def _played(
     found = list[Alarm]()
     texts = [each for each in faults if each.kind == SAID and is_trouble(each)]
     for signs in same.values():
-        changes = {each.change for each in faults[signs[0]]}
         is_shown = all(each.kind != SAID for each in signs)
         others = [
-            each for each in texts if is_shown and changes.issuperset(one.change for one in faults[each])
+            each for each in texts if is_shown and all(signs[0] in one.together for one in faults[each])
         ]
         others = others if len(others) > 1 else []
         covered = {each.change for sign in others for each in faults[sign]}

@@ -365,11 +365,11 @@ class _Words:
 
     def values(self, change: Change, others: Iterable[Change], form: str = "or {}") -> str:
         """Return a change, with the other values of the same channel among some, in words."""
-        same = (change.table, change.number, change.prompt)
+        same = change._replace(value=0)
         values = dict.fromkeys(
             ("on" if one.value else "off") if one.table == "input" else str(one.value)
             for one in others
-            if (one.table, one.number, one.prompt) == same and one.value != change.value and not is_probe(one)
+            if one._replace(value=0) == same and one.value != change.value and not is_probe(one)
         )
         return self.names.of(change) + (f" ({form.format(', '.join(values))})" if values else "")
 

@@ -106,10 +106,13 @@ def _alarms(
         what, back = each.what(names), ""
         if each.is_trouble and each.ends:
             said = [sign.what for sign in each.signs if sign.kind == SAID]
-            steps = ends.of([statements[sign.at] for sign in each.signs], each.why, said, each.begins)
+            end = ends.of([statements[sign.at] for sign in each.signs], each.why, said, each.begins)
             it = "" if " or " not in each.why else "as it was played, it "
-            back = f"; {it}ends by {_joined(steps, names)}" if steps else ""
-            back = "; what ends it was not played" if steps is None and not each.is_rare else back
+            if end is None and not each.is_rare:
+                back = "; what ends it was not played"
+            elif end is not None and end.steps:
+                again = ", and comes again" if end.comes_again else ""
+                back = f"; {it}ends by {_joined(end.steps, names)}{again}"
         is_said = not each.is_trouble and all(sign.kind == SAID for sign in each.signs)
         verb = ("are printed", "is printed") if is_said else ("come", "comes")
         why = f"{verb[len(what) < 2]} {each.why}{' (not played)' if each.is_unplayed else ''}"
@@ -131,14 +134,13 @@ def _stops(
     ways = (each for node in exploration.nodes for each in node.transitions)
     if not cut_off and not any(ended for each in ways for _, ended in each.does.moves):
         yield CautionRow("stops", "nothing that was played", "cuts off a move to a target")
-    found: dict[int, list[Change]] = defaultdict(list)
-    for change, line in stops.lines:
+    found: dict[str, list[Change]] = defaultdict(list)
+    for change, place in stops.places:
         if change not in cut_off:
-            found[line].append(change)
-    for line, changes in sorted(found.items()):
-        where = f"behind line {line}" if line else "at the end of its cycle"
+            found[place].append(change)
+    for place, changes in found.items():
         what = " or ".join(_rows(changes, names))
-        yield CautionRow("stops", what, f"in the move of line {stops.move} stops the machine {where}")
+        yield CautionRow("stops", what, f"in the move of line {stops.move} stops the machine {place}")
 
 
 def _rows(changes: Iterable[Change], names: ReaderNames) -> list[str]:

@@ -1,9 +1,9 @@
 """What ends an alarm: it is played.
 
 It begins in the world of the good cycle by what it comes by, and all inputs stay as they are then. At the rest behind
-it, what has led there may be taken back. Then one channel after the other that is read at rest is
-changed, until the outputs of the alarm are off, or the machine is where it comes without an alarm that has none, and it
-does not come again for a while. Of these changes those are left out without which that happens as well.
+it, what has led there may be taken back. Then one channel after the other that is read at rest is changed, until the
+outputs of the alarm are off, or the machine is where it comes without an alarm that has none. Those of these changes
+are left out without which that happens as well, and the alarm does not come again where other inputs go on to follow.
 """
 
 from __future__ import annotations
@@ -54,13 +54,24 @@ Step = tuple[Change, ...]
 Steps = tuple[Step, ...]
 
 
+class End(NamedTuple):
+    """The changes that end an alarm, none if it ends by itself, and if it `comes_again` behind them."""
+
+    steps: Steps = ()
+    comes_again: bool = False
+
+
 class _Reached(NamedTuple):
     """What some steps have led to in a world: the run, the levels of its inputs, and the rest in which it stays.
 
-    The rest is None if there is none.
+    The last step is made at `since`, s. `moving` is the same world with inputs that go on to follow what the machine
+    does. The rest is None if there is none.
     """
 
     world: Settings
+    moving: Settings
+    timeline: Timeline
+    since: float
     played: PlayedTimeline
     levels: Mapping[int, float]
     visit: Visit | None
@@ -78,7 +89,7 @@ class Ends:
         for each in (one for node in exploration.nodes for way in node.transitions for one in way.causes):
             self._values[each.channel][each] = None
         # The ends that were found: a lamp has that of its text.
-        self._known: dict[Steps, None] = {}
+        self._known: dict[End, None] = {}
         alarms = {each.at for each in signs}
         self._good = {*exploration.world.cycle.states, *self._without(alarms)} - {None}
 
@@ -96,8 +107,8 @@ class Ends:
 
     def of(
         self, signs: Collection[Statement], why: str, said: Collection[str], begins: Sequence[Begin]
-    ) -> Steps | None:
-        """Return the changes that end the alarm of some statements, none if it ends by itself.
+    ) -> End | None:
+        """Return what ends the alarm of some statements.
 
         It begins as it was played, where one of the texts is `said`. Of changes that can stand for each other those are
         left that the reason `why` it comes names.
@@ -119,19 +130,19 @@ class Ends:
         alarm.shows(start.played, self._names)
         start = self._released(start, alarm)
         if start.played.trial.has_ended or alarm.goes_on(start.played):
-            return ()
+            return End()
         alarm.begins(start.played)
         if alarm.is_over(start.played, has_come=False):
-            return ()
+            return End()
         if start.visit is None:  # nothing can be tried where the machine does not rest
             return None
         for begin in dict.fromkeys((undone, ())):
             found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
             if found is not None:
-                steps = self._needed(start, found, alarm, why)
-                self._known[steps] = None
-                return steps
-        return next((each for each in known if alarm.is_over(self._after(start, each).played)), None)
+                end = self._needed(start, found, alarm, why)
+                self._known[end] = None
+                return end
+        return next((each for each in known if alarm.is_over(self._after(start, each.steps).played)), None)
 
     def _begun(self, begins: Sequence[Begin], alarm: _Alarm) -> tuple[_Reached, Step] | None:
         """Return what an alarm begins with in the first way in which it comes, and what takes that back.
@@ -145,7 +156,8 @@ class Ends:
             settings = {**each.settings, "input": inputs_until(until, inf)}
             held = self._resets(changed - ({each.change.number} if each.change is not None else set()))
             for timeline in dict.fromkeys((made_at(each.time, held), ())):
-                start = self._play(settings, timeline, each.time, each.came - each.time + PATIENCE)
+                patience = each.came - each.time + PATIENCE
+                start = self._play(settings, each.settings, timeline, each.time, patience)
                 if alarm.has_come(start.played):
                     return start, self._taken_back(each.change)
         return None
@@ -198,7 +210,7 @@ class Ends:
         return self._exploration.work >= self._most
 
     def _play(
-        self, world: Settings, timeline: Timeline, since: float, patience: float = PATIENCE
+        self, world: Settings, moving: Settings, timeline: Timeline, since: float, patience: float = PATIENCE
     ) -> _Reached:
         played = self._exploration.play(timeline, since, patience, world)
         levels = {each.channel: float(each.value) for each in played.run.machine.log.inputs}
@@ -206,7 +218,7 @@ class Ends:
         visit = None
         if last is not None and last.end == inf:
             visit = Visit(timeline, max(last.begin, since), last.end, question=last.question)
-        return _Reached(world, played, levels, visit)
+        return _Reached(world, moving, timeline, since, played, levels, visit)
 
     def _after(self, here: _Reached, steps: Steps) -> _Reached:
         for step in steps:
@@ -216,7 +228,8 @@ class Ends:
     def _changed(self, here: _Reached, step: Step) -> _Reached:
         if here.visit is None or not step:
             return here
-        return self._play(here.world, here.visit.changed(step), here.visit.change_time)
+        timeline = here.visit.changed(step)
+        return self._play(here.world, here.moving, timeline, here.visit.change_time)
 
     def _steps(self, here: _Reached) -> Iterator[Step]:
         """Yield what may be changed at a rest: what has led on there, and what it reads."""
@@ -234,14 +247,22 @@ class Ends:
             else:
                 yield from ((each,) for each in self._values.get(channel, ()))
 
-    def _needed(self, start: _Reached, steps: Steps, alarm: _Alarm, why: str) -> Steps:
-        """Return the steps of an end without the changes that it does not need."""
+    def _needed(self, start: _Reached, steps: Steps, alarm: _Alarm, why: str) -> End:
+        """Return an end without the changes that it does not need; if it does not come again with all, nor without."""
+        comes_again = self._comes_again(self._after(start, steps), alarm)
         changes = [(k, change) for k, step in enumerate(steps) for change in step]
         for k, change in sorted(changes, key=lambda each: self._names[each[1].subject] in why):
             less = (*steps[:k], tuple(one for one in steps[k] if one != change), *steps[k + 1 :])
-            if any(less) and alarm.is_over(self._after(start, less).played):
+            reached = self._after(start, less)
+            is_over = any(less) and alarm.is_over(reached.played)
+            if is_over and (comes_again or not self._comes_again(reached, alarm)):
                 steps = less
-        return tuple(filter(None, steps))
+        return End(tuple(filter(None, steps)), comes_again)
+
+    def _comes_again(self, reached: _Reached, alarm: _Alarm) -> bool:
+        """True if an alarm comes again where other inputs go on to follow what the machine does."""
+        played = self._exploration.play(reached.timeline, reached.since, PATIENCE, reached.moving)
+        return alarm.comes_again(played)
 
 
 class _Alarm:
@@ -306,21 +327,41 @@ class _Alarm:
 
         It is back in a good state, or on its way there. Unless the alarm `has_come` before, it has to come first.
         """
+        return next(self._over(played, has_come), None) is not None
+
+    def comes_again(self, played: PlayedTimeline) -> bool:
+        """True if the alarm says again what it says, or shows it, behind the last change, or is not over."""
+        time = next(self._over(played, has_come=True), None)
+        prints = [each for each in played.trial.prints if each.at in self.at]
+        said = [each.time for each in prints if self.is_said([each.text])] if prints else self._lit(played)
+        return time is None or any(one > time for one in said)
+
+    def _lit(self, played: PlayedTimeline) -> list[float]:
+        """Return when the outputs of the alarm come on behind the last change, or else its statements begin."""
+        trial, run, _ = played
+        if not self._outputs:
+            return [one.time for some in trial.statements.values() for one in some if one.at in self._said]
+        lit = (each for each in run.machine.log.outputs if each.channel in self._outputs and each.value)
+        return [each.time for each in lit if each.time > trial.since]
+
+    def _over(self, played: PlayedTimeline, has_come: bool) -> Iterator[float]:
+        """Yield the times from which on the alarm is over for a while."""
         trial, run, rests = played
+        said = self._lit(played)
         if self._outputs:
-            lit = [each for each in run.machine.log.outputs if each.channel in self._outputs]
-            said = [each.time for each in lit if each.value and each.time > trial.since]
-            back = [trial.since, *(each.time for each in lit if not each.value)]
+            changes = (each for each in run.machine.log.outputs if each.channel in self._outputs)
+            back = [trial.since, *(each.time for each in changes if not each.value)]
         else:
-            said = [one.time for some in trial.statements.values() for one in some if one.at in self._said]
             back = list(self._back(trial, rests))
-        return any(
-            not any(time <= one < time + AWHILE for one in said)
-            and not self._is_on(run, time, *self._outputs)
-            for time in back
-            if time >= (trial.since if has_come else max((trial.since, *said)))
-            and (time + AWHILE <= trial.time or trial.is_stuck or trial.has_ended)
-        )
+        since = trial.since if has_come else max((trial.since, *said))
+        for time in back:
+            if (
+                time >= since
+                and not any(time <= one < time + AWHILE for one in said)
+                and not self._is_on(run, time, *self._outputs)
+                and (time + AWHILE <= trial.time or trial.is_stuck or trial.has_ended)
+            ):
+                yield time
 
     def _back(self, trial: Trial, rests: Sequence[Rest]) -> Iterator[float]:
         """Yield the times at which the machine is in a good state, or begins a move of its cycle that leads there."""

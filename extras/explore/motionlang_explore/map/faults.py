@@ -60,7 +60,7 @@ class Fault(NamedTuple):
 
     `seconds` is how long the machine has paused before, behind what `line` does, 0.0 if not longer than usual. `behind`
     is another sign that has come before, so many `times`. The machine `goes_on` if others have come later, or the same
-    one behind another move.
+    one behind another move. `together` are all signs that have come in its play.
     """
 
     change: Change
@@ -72,6 +72,7 @@ class Fault(NamedTuple):
     behind: Sign | None
     times: int
     goes_on: bool
+    together: frozenset[Sign]
 
     @property
     def begin(self) -> Begin:
@@ -163,7 +164,9 @@ def _by_sign(
                 is_followed = play[-1].time > each.time + PAUSE and told[-1] != sign
                 goes_on = nobody_resets and (is_followed or last[sign].moves > each.moves)
                 change, settings, since, _ = each.play
-                fault = Fault(change, settings, since, each.time, *each.pause, *often, goes_on)
+                fault = Fault(
+                    change, settings, since, each.time, *each.pause, *often, goes_on, frozenset(told)
+                )
                 found[sign].setdefault(change, fault)
             count[sign] += 1
             often = (sign, count[sign]) if count[sign] > 1 else often
@@ -221,6 +224,7 @@ def _counting(plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]
     What has the number that was given, with two of them, repeats it.
     """
     found = {form for play in plays for form, signs in _by_form(play).items() if len(signs) > 1}
+    found |= {form_of(each.sign) for play in plays for each in play if "..." in each.sign.what}
     given = defaultdict[tuple[Sign, Channel], set[str]](set)
     for each in (each for play in plays for each in play if each.play.change.table in VALUES):
         change = each.play.change

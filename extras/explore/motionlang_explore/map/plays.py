@@ -7,8 +7,10 @@ Nobody resets anything, nor pushes a button any more, if the machine works as we
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import reduce
+from itertools import pairwise
 from typing import NamedTuple
 
 from motionlang.kernel import Run
@@ -64,7 +66,7 @@ class Plays:
         self.left = list[Change]()
         world = self._world = exploration.world.run
         self.period, cycles = (LENGTH, 1) if world.cycle is None else (world.cycle.period, CYCLES)
-        self.move, self.since = _middle(world)
+        self.move, self.since = _middle(exploration)
         self._watched = cycles * self.period + WATCHED
         self._most = exploration.work + WORK
         self.settings, self.nobody_resets = self._without_resets(names)
@@ -180,15 +182,45 @@ def inputs_until(run: Run, time: float) -> list[Entry]:
     return [{"channel": each.channel, "at": each.time, "value": each.value} for each in past]
 
 
-def _middle(run: Run) -> tuple[LoggedMove | None, float]:
-    """Return the first move of the second cycle and its middle, or no move and the begin of the cycle."""
-    times = (0.0, run.time) if run.cycle is None else run.cycle.times
-    begin, end = times[1:3] if len(times) > 2 else times[:2]
+def acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
+    """Return the times and lines of the moves, outputs and prints of a run, in order, but for the ends of pulses."""
+    log, on = run.machine.log, dict[int, int]()
+    found = [(each.start_time, each.line) for each in log.moves]
+    for switched in log.outputs:
+        is_end = not switched.value and on.get(switched.channel) == switched.at
+        on[switched.channel] = switched.at if switched.value else -1
+        found += [(switched.time, exploration.line(switched.at))] if switched.at >= 0 and not is_end else []
+    found += [(each.time, exploration.line(each.at)) for each in log.prints if each.at >= 0]
+    return sorted(found)
+
+
+def _middle(exploration: Exploration) -> tuple[LoggedMove | None, float]:
+    """Return the first move of the first whole cycle and its middle, or no move and the begin of the cycle."""
+    run = exploration.world.run
+    begin, end = 0.0, run.time
+    if run.cycle is not None:
+        begin, end = _whole(run.cycle.times, run.cycle.lines, acts(exploration, run))
     moves = (each for each in run.machine.log.moves if begin <= each.start_time < end)
     for each in moves:
         if each.profile is not None:
             return each, each.start_time + min(each.profile.duration, end - begin) / 2.0
     return None, begin
+
+
+def _whole(
+    times: Sequence[float], lines: Collection[int], done: Sequence[tuple[float, int]]
+) -> tuple[float, float]:
+    """Return begin and end of the first cycle with all usual lines, but for the first one; of the second if none has.
+
+    A row of stations fills up before. `done` are the times and lines of all that the machine does.
+    """
+    spans = list(pairwise(times))
+    later = spans[1:] or spans
+    for begin, end in later:
+        own = done[bisect_left(done, (begin,)) : bisect_left(done, (end,))]
+        if {line for _, line in own}.issuperset(lines):
+            return begin, end
+    return later[0]
 
 
 def _own(settings: Settings, change: Change) -> list[Entry]:

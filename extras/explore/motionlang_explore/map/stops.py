@@ -6,13 +6,14 @@ way; not what waits for a long time that is given.
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from difflib import SequenceMatcher
 from math import inf
 
 from motionlang.kernel import Run
 from motionlang.kernel.log import CONTINUED, LoggedMove
 from motionlang_explore.exploration import Change, Exploration
-from motionlang_explore.map.plays import LONGER, Play, Plays
+from motionlang_explore.map.plays import LONGER, Play, Plays, acts
 
 # What a move is not cut off by.
 UNCUT = ("", CONTINUED)
@@ -23,22 +24,22 @@ SHORT = 1e-6
 class Stops:
     """What stops a machine that makes good pieces; nothing stops any other.
 
-    `lines` are the changes that bring it to rest, in the middle of the move of line `move`, each with the line of the
-    last thing that was done as usual, a move, an output or a print, 0 at the end of the cycle; `cuts` are those that
-    cut off that move.
+    `places` are the changes that bring it to rest, in the middle of the move of line `move`, each with the place of the
+    last thing that was done as usual, a move, an output or a print, in words; `cuts` are those that cut off that move.
     """
 
     def __init__(self, exploration: Exploration, plays: Plays) -> None:
-        self.lines, self.cuts = list[tuple[Change, int]](), list[Change]()
+        self.places, self.cuts = list[tuple[Change, str]](), list[Change]()
         self._exploration, self._since, self._period = exploration, plays.since, plays.period
         world = exploration.world.run
         self._first = None if world.cycle is None or exploration.fault_of(world) else plays.move
         self.move = 0 if self._first is None else self._first.line
         times = () if world.cycle is None else world.cycle.times
         end = next((each for each in times if each > plays.since), inf)
-        # What the machine does as usual: its moves in this cycle and the next one, and all that it does in this one.
+        # What the machine does as usual: its moves in this cycle and the next one, and all that it does in these.
         self._usual = [line for _, line in self._moves(world, end + plays.period)]
-        self._done = [line for time, line in _acts(exploration, world) if plays.since < time < end]
+        done = [each for each in acts(exploration, world) if plays.since < each[0] < end + plays.period]
+        self._done, self._in_cycle = [line for _, line in done], bisect_left(done, (end,))
 
     def take(self, play: Play, run: Run) -> None:
         """Take note of a play in the middle of a cycle whose change stops the machine."""
@@ -47,7 +48,7 @@ class Stops:
         if self._first.ended in UNCUT and _has_cut(run, self._first):
             self.cuts.append(play.change)
         if play.is_left and self._stays(run):
-            self.lines.append((play.change, self._last(run)))
+            self.places.append((play.change, self._place(run)))
 
     def _moves(self, run: Run, until: float = inf) -> list[tuple[float, int]]:
         """Return the times and lines of the moves that a run begins behind a change, up to a time, s."""
@@ -62,12 +63,15 @@ class Stops:
         is_long = run.status != "until" or run.time - last > max(LONGER, self._period)
         return len(begun) < len(self._usual) and is_long
 
-    def _last(self, run: Run) -> int:
-        """Return the line of the last thing that was done as usual; a lamp may go off in between."""
-        after = [line for time, line in _acts(self._exploration, run) if time > self._since]
+    def _place(self, run: Run) -> str:
+        """Return the place of the last thing that was done as usual; a lamp may go off in between."""
+        after = [line for time, line in acts(self._exploration, run) if time > self._since]
         blocks = SequenceMatcher(None, self._done, after, autojunk=False).get_matching_blocks()
         last = max((each.a + each.size for each in blocks[:-1]), default=0)
-        return 0 if last >= len(self._done) else [self.move, *self._done][last]
+        if last == self._in_cycle:
+            return "at the end of its cycle"
+        line = [self.move, *self._done][last]
+        return f"behind line {line}" if last < self._in_cycle else f"in its next cycle, behind line {line}"
 
 
 def _has_cut(run: Run, move: LoggedMove) -> bool:
@@ -76,12 +80,3 @@ def _has_cut(run: Run, move: LoggedMove) -> bool:
         each.line == move.line and each.ended not in UNCUT and abs(each.start_time - move.start_time) < SHORT
         for each in run.machine.log.moves
     )
-
-
-def _acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
-    """Return the times and lines of the moves, outputs and prints of a run, in order."""
-    log = run.machine.log
-    found = [(each.start_time, each.line) for each in log.moves]
-    found += [(each.time, exploration.line(each.at)) for each in log.outputs if each.at >= 0]
-    found += [(each.time, exploration.line(each.at)) for each in log.prints if each.at >= 0]
-    return sorted(found)
