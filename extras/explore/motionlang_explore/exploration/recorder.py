@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from math import inf
 from typing import Any, NamedTuple
 
-from motionlang.kernel import Hook, Machine, Steps, Task
+from motionlang.kernel import Hook, Machine, Scheduler, Steps, Task
 from motionlang.kernel.lang import Snapshot, Values, conditions
 from motionlang.kernel.traced import form_of
 from motionlang_explore.exploration.changes import Channel
@@ -84,7 +84,8 @@ class TrialRecorder(Hook):
         # The statements that began before the snapshot, and how conditions came out in all that was played.
         self.before: set[int] = set()
         self.outcomes: set[Outcome] = set()
-        self._at = -1
+        # The statement that has begun last in each task.
+        self._at: dict[str, int] = {}
         self.begin(since, snapshot_at)
 
     def begin(self, since: float, snapshot_at: float) -> None:
@@ -92,8 +93,8 @@ class TrialRecorder(Hook):
         self.since, self._snapshot_at = since, snapshot_at
         # Until the last change of the world nothing that repeats is idle, s.
         self.last_change = since
-        # The state of the run at `snapshot_at`, and the statement that had begun last.
-        self.snapshot: tuple[Snapshot, int] | None = None
+        # The state of the run at `snapshot_at`, and the statements that had begun last.
+        self.snapshot: tuple[Snapshot, dict[str, int]] | None = None
         self._clear()
         self._remember_now()
 
@@ -111,9 +112,7 @@ class TrialRecorder(Hook):
         self.memory: list[tuple[float, tuple[object, ...]]] = []
         self.seen: set[Seen] = set()
         # The number of comparisons of the present statement at a time: a wait compares again and again.
-        self._comparisons, self._compared = 0, -inf
-        # The statement that handlers have interrupted; -1 if none runs.
-        self._interrupted = -1
+        self._comparisons, self._compared = 0, (-1, -inf)
         self._is_recorded = False
         # The places since `since`, the moves so far, and the number of the last statement with something new.
         self._places: set[int] = set()
@@ -167,14 +166,14 @@ class TrialRecorder(Hook):
         self._rounds += 1
         assert self._machine is not None
         if self.snapshot is None and self._machine.clock.now >= self._snapshot_at:
-            self.snapshot = Snapshot(self._machine.scheduler), self._at
+            self.snapshot = Snapshot(self._machine.scheduler), dict(self._at)
             self.before.update(each for each in self.seen if isinstance(each, int))
 
     def go_back(self) -> bool:
         """Put the snapshot back and begin another record; False if the program ended before."""
         if self.snapshot is None:
             return False
-        snapshot, self._at = self.snapshot
+        snapshot, self._at = self.snapshot[0], dict(self.snapshot[1])
         snapshot.restore()
         self._clear()
         self._remember_now()
@@ -200,12 +199,11 @@ class TrialRecorder(Hook):
         """Return the statement that runs, or that of the wait whose condition is checked."""
         assert self._machine is not None
         scheduler = self._machine.scheduler
-        if scheduler is not None:
-            if self._interrupted >= 0 and not scheduler.interrupts:  # handlers have ended
-                self._at, self._interrupted, self._comparisons = self._interrupted, -1, 0
-            if scheduler.current.wait is not None:
-                return scheduler.current.at
-        return self._at
+        if scheduler is None:
+            return -1
+        if scheduler.current.wait is not None:
+            return scheduler.current.at
+        return self._at.get(_name(scheduler, scheduler.current), -1)
 
     def begins(self, task: Task, time: float, offset: int) -> bool:
         """Record a statement, and end the run if it only repeats."""
@@ -213,11 +211,8 @@ class TrialRecorder(Hook):
         assert self._machine is not None
         scheduler, log = self._machine.scheduler, self._machine.log
         assert scheduler is not None
-        if not scheduler.interrupts:
-            self._interrupted = -1
-        elif self._interrupted < 0:
-            self._interrupted = self._at
-        self._at, self._is_recorded, self._comparisons = offset, time >= self.since, 0
+        name = _name(scheduler, task)
+        self._at[name], self._is_recorded, self._comparisons = offset, time >= self.since, 0
         moves, prints = log.moves.past, log.prints.past
         is_checked = moves >= self._started or prints >= self._printed
         if (not self.count % CHECKED and self._is_cut()) or (
@@ -235,7 +230,6 @@ class TrialRecorder(Hook):
                 return False
             scheduler.until = time
             return True
-        name = HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
         self.statements[name].append(Begun(time, offset, self._callers_of(task)))
         self._remember(scheduler.parent, time)
         is_new = offset not in self._places or moves != self._moves
@@ -288,8 +282,8 @@ class TrialRecorder(Hook):
             return  # a hint asks what would end a wait
         self._read += 1
         at, now = self._place(), self._machine.clock.now
-        if now != self._compared:
-            self._comparisons, self._compared = 0, now
+        if (at, now) != self._compared:
+            self._comparisons, self._compared = 0, (at, now)
         if self._is_recorded or now >= self.since:  # a wait compares after it has begun
             self._comparisons += 1
             self.comparisons[at, self._comparisons].append((left, right))
@@ -306,6 +300,11 @@ class TrialRecorder(Hook):
     def _decides(self, at: int, number: object) -> None:
         for table, channel, _ in form_of(number):
             self.decided[at].add((table, channel))
+
+
+def _name(scheduler: Scheduler, task: Task) -> str:
+    """Return the name of a task; handlers have one for all."""
+    return HANDLERS if scheduler.interrupts and task in scheduler.interrupts else task.name
 
 
 def _nothing() -> None:
