@@ -234,20 +234,22 @@ def _counting(plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]
     found |= {form for (form, _), values in given.items() if len(values) > 1}
     unsure = _unsure(plays)
     for each in (each for play in plays for each in play if each.play.since and each.play.change in later):
-        change = each.play.change
-        if form_of(each.sign) in unsure[change] and each.sign not in later[change]:
+        change, form = each.play.change, form_of(each.sign)
+        others = later[change] if form in unsure[change] else ()
+        if form in map(form_of, others) and each.sign not in others:
             found.add(form_of(each.sign))
     return found
 
 
 def _unsure(plays: Sequence[Sequence[_Came]]) -> Mapping[Change, set[Sign]]:
-    """Return the forms whose numbers differ by when a change is made, by change: they may count."""
-    by_change, found = defaultdict[Change, list[_Came]](list), dict[Change, set[Sign]]()
+    """Return the forms of what comes with its numbers in one play of a change alone: they may count."""
+    by_change, found = defaultdict[Change, set[tuple[float, Sign]]](set), defaultdict[Change, set[Sign]](set)
     for each in (each for play in plays for each in play):
-        by_change[each.play.change].append(each)
+        by_change[each.play.change].add((each.play.since, each.sign))
     for change, came in by_change.items():
-        forms = {form for form, signs in _by_form(came).items() if len(signs) > 1}
-        found |= {change: forms} if forms else {}
+        for sign, count in Counter(sign for _, sign in came).items():
+            if count == 1 and form_of(sign) != sign:
+                found[change].add(form_of(sign))
     return found
 
 
