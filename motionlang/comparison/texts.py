@@ -38,12 +38,12 @@ class AnyMove(Protocol):
 def described(move: AnyMove, is_homing: bool) -> str:
     """Return where a move goes and how fast, in user units and words; "" for an entry that moves nothing.
 
-    Of a homing, whose phases end at its switch, it is the command.
+    Of a homing, whose phases end at its switch, it is the command; a jog has its command, and the place where it ended.
     """
     profile, scale = move.profile, move.scale or 1.0
     if profile is None or is_homing:
         return "" if profile is None else move.command
-    words = [move.command] if profile.duration == inf else []
+    words = [move.command] if profile.duration == inf or profile.shape == "jog" else []
     if profile.duration < inf:
         words.append(f"to {round((profile.end - move.zero) / scale, 6) + 0.0:.6g}")
     if profile.duration == inf:

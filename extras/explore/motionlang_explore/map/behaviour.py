@@ -513,8 +513,10 @@ def _cycle_rows(
     for move in log.moves:
         if within(move.start_time) and move.profile is not None:
             is_homing = homes(move.command)
+            where = described(move, is_homing)
             start = "" if is_homing else f"from {move.to_user(move.profile.start):.6g} "
-            words = f"{names[f'axis {move.axis}']} {start}{described(move, is_homing)}"
+            jogs = f"{move.command} " if where.startswith(f"{move.command} ") else ""
+            words = f"{names[f'axis {move.axis}']} {jogs}{start}{where.removeprefix(jogs)}"
             seconds = move.profile.duration
             yield CycleRow(move.start_time - begin, move.line, words, None if seconds == inf else seconds)
     for output in log.outputs:
