@@ -352,6 +352,20 @@ def test_a_wait_that_an_output_ends_does_not_hide_how_long_it_is_on() -> None:
     assert clock_of(made, recording) == pytest.approx(1.003)
 
 
+def test_a_condition_that_reads_an_input_says_nothing_of_the_clock() -> None:
+    """The input comes by itself, 0.5 s after the output goes on; the rest takes 0.3 % longer in the recording."""
+    text = "Loop\n  OUTX(1) = 1\n  Pause INX(3)\n  OUTX(1) = 0\n  Wait(700)\nEnd Loop\n"
+    entries = [{"channel": 3, "output": 1, "delay": 0.5}]
+    made = run(Source("a.mnt", text), machine={"input": entries}, until=15.0)
+    changes, time, before = [], 0.0, 0.0
+    for each in made.machine.log.outputs:
+        time += (each.time - before) * (1.003 if each.value else 1.0)
+        before = each.time
+        changes.append(LevelChange(time, int(each.value)))
+    recording = MeasuredRecording(0.0, 15.1, 0.001, outputs={1: Digital("out1", 0, tuple(changes))})
+    assert clock_of(made, recording) == pytest.approx(1.003, abs=1e-5)
+
+
 FEED = """\
 SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
 Loop

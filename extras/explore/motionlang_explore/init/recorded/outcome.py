@@ -298,15 +298,16 @@ def _grouped(marks: Sequence[OutcomeMark], recording: MeasuredRecording) -> list
 def clock_of(run: Run, recording: MeasuredRecording) -> float | None:
     """Return how many seconds the recording counts for one of the run; None if that is not certain.
 
-    Only times between marks that follow each other count, and none in which the run waits for an input. An output that
-    is switched right after an input changes may be the answer of a program that polls it.
+    Only times between marks that follow each other count, and none in which the run waits for an input, or a condition
+    that may read one. An output that is switched right after an input changes may be the answer of a program that polls
+    it.
     """
     outputs = matched(run, recording, ("output",))
     changes = sorted(each.time for channel in recording.inputs.values() for each in channel.changes)
     waits = [
         (each.since, each.until)
         for each in run.machine.log.waits
-        if each.cause == "input" and each.until > each.since
+        if each.cause in ("input", "condition") and each.until > each.since
     ]
     ratios: list[tuple[float, float]] = []
     stretches = 1
