@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left, bisect_right
 from collections import Counter, defaultdict
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Collection, Mapping, Sequence, Set
 from itertools import pairwise
 from math import inf
 from typing import NamedTuple
@@ -117,6 +117,13 @@ def faults_of(
     usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest
     statements = exploration.program.structure.statements
     asking = {at for at, each in statements.items() if any(use.channel == "answer" for use in each.channels)}
+    owners, tasks = exploration.program.structure.owners(), defaultdict[str, set[int]](set)
+    for line, task in owners.items():
+        tasks[task].add(line)
+
+    def lines_of(sign: Sign) -> Collection[int]:
+        return tasks[owners.get(exploration.line(sign.at), "")]
+
     came, seen = list[list[_Came]](), set[int]()
     for play, played in plays.all():
         stops.take(play, played)
@@ -129,7 +136,13 @@ def faults_of(
         begun = sorted(each.start_time for each in played.machine.log.moves)
         came.append(
             [
-                _Came(play, at, bisect_left(begun, at), sign, doings.pause(at, play.since, pauses))
+                _Came(
+                    play,
+                    at,
+                    bisect_left(begun, at),
+                    sign,
+                    doings.pause(at, play.since, pauses, lines_of(sign)),
+                )
                 for at, sign in signs
             ]
         )
@@ -265,19 +278,22 @@ class _Doings(NamedTuple):
     """What a run does, in order: `longest` is its longest pause behind what each line does, s.
 
     `pauses` are those that are neither a move nor of a given time, and in which nobody pushes a button: their ends and
-    begins, s, and their lines.
+    begins, s, and the lines of what was done last.
     """
 
     longest: Mapping[int, float]
-    pauses: Sequence[tuple[float, float, int]]
+    pauses: Sequence[tuple[float, float, Sequence[int]]]
 
-    def pause(self, time: float, since: float, usual: Mapping[int, float]) -> tuple[float, int]:
+    def pause(
+        self, time: float, since: float, usual: Mapping[int, float], own: Collection[int]
+    ) -> tuple[float, int]:
         """Return how long the machine has paused before a time, s, and behind what line; 0.0 if not longer than usual.
 
-        A pause in which the change comes is none.
+        A pause in which the change comes is none. Of several lines it is one of `own`, those of the same task.
         """
         before = bisect_right(self.pauses, (time, inf))
-        for end, begin, line in self.pauses[:before][-1:]:
+        for end, begin, lines in self.pauses[:before][-1:]:
+            line = next((each for each in reversed(lines) if each in own), lines[-1])
             if begin >= since and end - begin > SHARE * usual.get(line, 0.0) + MORE:
                 return end - begin, line
         return 0.0, 0
@@ -299,15 +315,20 @@ def _doings(exploration: Exploration, run: Run) -> _Doings:
     asked = {number_in("input", each) for each in given if "asked" in each}
     # A button that is let go leads on to nothing.
     led = [each.time for each in log.inputs if each.value and each.channel in asked]
-    longest, pauses = defaultdict[int, float](float), list[tuple[float, float, int]]()
+    longest, pauses = defaultdict[int, float](float), list[tuple[float, float, Sequence[int]]]()
+    last = list[int]()
     for (begin, at), (end, _) in pairwise(events):
         longest[at] = max(longest[at], end - begin)
+        last.append(at)
+        if end - begin < NEXT:
+            continue
         share = NAP * (end - begin)
         begun = bisect_right(begins, begin + share)
         is_given = begun and ends[begun - 1] >= end - share
         is_led = bisect_left(led, end) > bisect_right(led, begin)
         if end - begin >= PAUSE and not (is_given or is_led):
-            pauses.append((end, begin, at))
+            pauses.append((end, begin, last))
+        last = []
     return _Doings(longest, pauses)
 
 
