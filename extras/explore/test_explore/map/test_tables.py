@@ -162,6 +162,11 @@ def test_a_parameter_decides_what_its_sub_reads_not_what_stands_above_it() -> No
     assert found == {"to": ["5: to > 3"]}
 
 
+def test_of_two_labels_the_first_one_names_the_subroutine() -> None:
+    text = "GOSUB HANDS\nEND\n#HANDS\n#AGAIN\nIF INX.1 = 0 THEN GOTO AGAIN\nRETURN\n"
+    assert [unit.title for unit in made(text).units] == ["program", "subroutine HANDS"]
+
+
 def test_units_and_what_nothing_reaches() -> None:
     text = "#Again : Fill\nRun Lamp\nGOTO Over\nPRINT 1\nPRINT 2\n#Over\nSub Fill\n  PRINT 3\nEnd Sub\n"
     text += "Sub Spare\n  PRINT 4\nEnd Sub\nTask Lamp\n  Fill\nEnd Task\n"

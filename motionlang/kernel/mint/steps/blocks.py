@@ -26,6 +26,7 @@ from motionlang.kernel.lang.steps import (
 )
 from motionlang.kernel.mint.check.counting import check_elements, check_step
 from motionlang.kernel.mint.check.unknown_words import another_name, label_hint
+from motionlang.kernel.mint.keywords.event_kinds import label_event
 from motionlang.kernel.mint.resolve.folding import Known, fold
 from motionlang.kernel.mint.resolve.symbols import NUMERIC, STRING
 from motionlang.kernel.mint.steps import expressions
@@ -318,7 +319,10 @@ def label(w: UnitWriter, node: nodes.Label) -> None:
     name = node.name.lower()
     w.label = name
     w.labels[name] = len(w.steps)
-    w.steps.labels[len(w.steps)] = node.name
+    if label_event(name) is None:  # of several labels the first one has the name of the subroutine
+        w.steps.labels.setdefault(len(w.steps), node.name)
+    else:
+        w.steps.labels[len(w.steps)] = node.name
     region = w.regions.get(name)
     if region is not None:
         at, environment = node.start, w.program.environment
