@@ -24,7 +24,7 @@ from motionlang.views.figure import (
     PanelLabel,
 )
 from motionlang.views.figure_files import svg, write_figure
-from motionlang.views.figure_layout import Item, Shape, TextLine, Ticks, layout
+from motionlang.views.figure_layout import Item, Shape, TextLine, Ticks, layout, text_width
 from tests.views.runs import ballscrew, pick
 
 LINE = Panel([Curve([0.0, 10.0], [0.0, 5.0], "#010203")], x_limits=(0.0, 10.0))
@@ -130,6 +130,16 @@ def test_labels_are_the_longest_that_fit_and_do_not_touch() -> None:
         if text.colour == FAINT
     ]
     assert shown == [("MOVER · line 7", 2.0), ("MOVER 7", 4.4), ("MOVER · line 7", 7.5)]
+
+
+def test_a_legend_has_a_square_of_9_points_3_points_before_each_name() -> None:
+    legend = layout(Figure([[LINE]], legend=[("#00ff00", "commanded"), ("#0000ff", "measured")]))[2][:4]
+    names = [item for item in legend if isinstance(item, TextLine)]
+    squares = [item.paths[0] for item in legend if isinstance(item, Shape)]
+    for name, square in zip(names, squares, strict=True):
+        xs, ys = zip(*square, strict=True)
+        begin = name.x - text_width(name.text, name.size)
+        assert [max(xs) - min(xs), max(ys) - min(ys), begin - max(xs)] == pytest.approx([9.0, 9.0, 3.0])
 
 
 @pytest.mark.parametrize(("x", "side"), [(3.0, "start"), (7.0, "end")])

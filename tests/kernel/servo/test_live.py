@@ -129,6 +129,14 @@ def test_a_wait_that_the_motor_can_never_end_is_found() -> None:
 STALLED = {**MOTOR, "coulomb": 5.0}
 
 
+def test_a_motor_whose_oscillation_decays_is_at_standstill_after_two_blocks() -> None:
+    """The blocks of 64, 192 and 500 samples end at 0.756 s; the next one reaches no further."""
+    slow: dict[str, object] = {"proportional": 0.001, "integral": 5e-5, "derivative": 0.2}
+    result = run("MOVER(0) = 10 : GO(0)\nPAUSE POS(0) > 100", {**MOTOR, "load_inertia": 1e-4}, servo=slow)
+    assert [each.code for each in result.diagnostics] == ["never"]
+    assert result.time == pytest.approx(0.756, abs=1e-3)
+
+
 def test_a_stalled_motor_faults_at_the_very_sample() -> None:
     """The trip is at the first sample beyond the limit of a later simulation."""
     result = run(

@@ -135,3 +135,15 @@ def test_the_end_of_a_run_is_no_difference(cell: Cell) -> None:
         ran = cell("improve", "end.mnt")
         assert (ran.status, "SPEED[0]@2     2    10  40  1.4400" in ran.out) == (0, True), ran.out + ran.err
         assert "note: 1 way played with the edits, too: the same but for time\n" in ran.out
+
+
+def test_a_way_that_only_the_edits_open_is_not_played(cell: Cell) -> None:
+    """The stroke takes 2.1 s, so the program never reads input 2; with the edits it takes 1.1 s, and it does."""
+    rates, go = "SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n", " : GO(0) : Pause IDLE(0)\n"
+    early = "  If TIME < 1500 Then\n    If INX(2) Then OUTX(3) = 1\n  End If\n"
+    text = f"{rates}Loop\n  Pause INX(1)\n  TIME = 0\n  MOVER(0) = 200{go}{early}  MOVEA(0) = 0{go}End Loop\n"
+    cell.write("early.mnt", text)
+    cell.write("early.machine.toml", MACHINE.partition("[[input]]\nchannel = 2")[0])
+    ran = cell("improve", "early.mnt")
+    assert "SPEED[0]@1     1   100   200" in ran.out
+    assert "note: 2 ways played with the edits, too: the same but for time\n" in ran.out

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from motionlang.kernel import Machine, Run, Source, run
+from motionlang.kernel import Machine, Run, Source, files, run
 from motionlang.kernel.lang.machine import nonvolatile
 
 
@@ -28,3 +28,14 @@ def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: p
     ]
     assert loads(file.read_text())["values"] == {"a": [1]}
     assert sorted(os.listdir(tmp_path)) == ["kept.json", "link.json"]
+
+
+def test_a_run_waits_10_seconds_for_its_data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file, slept = str(tmp_path / "kept.json"), [0.0]
+    monkeypatch.setattr(files, "monotonic", lambda: sum(slept))
+    monkeypatch.setattr(files, "sleep", slept.append)
+    holder = files.Lock(file)
+    made = run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=file)
+    assert [each.message for each in made.diagnostics] == [f"the nv data of {file} are in use by another run"]
+    assert sum(slept) == pytest.approx(10.0, abs=max(slept))
+    holder.release()

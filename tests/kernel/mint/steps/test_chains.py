@@ -115,6 +115,15 @@ def test_what_is_nested_is_limited_as_before(opening: str) -> None:
         assert [each.message for each in made.diagnostics] == ["the expression is nested more than 200 deep"]
 
 
+@pytest.mark.parametrize("count", [50, 51])
+def test_a_chain_of_more_than_50_operations_is_no_nesting(count: int) -> None:
+    """Each sign is a level; up to 50 operations are levels, too, and a longer chain is one."""
+    made = ran(f"a = {'-' * 150}1{' + 1' * count}\nPRINT a")
+    messages = ["the expression is nested more than 200 deep"] if count == 50 else []
+    assert [each.message for each in made.diagnostics] == messages
+    assert made.output == ([] if count == 50 else ["52"])
+
+
 def chosen(count: int, branch: int, between: str = "") -> str:
     """Return an If with `count` branches that takes only the branch `branch`.
 
