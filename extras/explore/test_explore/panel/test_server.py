@@ -5,15 +5,13 @@ from __future__ import annotations
 import json
 import threading
 from collections.abc import Generator, Iterator
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from http.client import HTTPConnection
 from pathlib import Path
-from time import monotonic
 from typing import Any
 
 import pytest
 
-from motionlang_explore.panel import presses
 from motionlang_explore.panel.server import PanelServer
 from test_explore.panel.hands import PRESS, Explore, Hand, operated
 
@@ -146,23 +144,6 @@ def test_a_page_too_many_is_refused(tmp_path: Path) -> None:
         assert next(events)["contents"]["file"] == "press.mnt"
         assert page.ask(f"{page.begin}events")[0] == 503
         events.close()
-
-
-def test_a_page_is_tested_sooner_than_a_silent_one_loses_its_presses(tmp_path: Path) -> None:
-    """A connection without a state gets a comment; a busy computer may delay one of them."""
-    with served(tmp_path / "press.mnt") as (_, server):
-
-        def silence() -> float:
-            """Return the seconds until a new page gets its first comment."""
-            begin, connection = monotonic(), HTTPConnection("127.0.0.1", server.server_port, timeout=30)
-            with closing(connection):
-                connection.request("GET", f"/{server.secret}/events")
-                answer = connection.getresponse()
-                while answer.readline() != b": \n":
-                    pass
-                return monotonic() - begin
-
-        assert any(silence() < presses.PATIENCE for _ in range(3))
 
 
 def test_a_port_in_use(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from json import loads
+from math import fsum
 from pathlib import Path
 
 import pytest
@@ -32,10 +33,10 @@ def test_a_second_run_on_the_same_data_is_refused(tmp_path: Path, monkeypatch: p
 
 def test_a_run_waits_10_seconds_for_its_data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file, slept = str(tmp_path / "kept.json"), [0.0]
-    monkeypatch.setattr(files, "monotonic", lambda: sum(slept))
+    monkeypatch.setattr(files, "monotonic", lambda: fsum(slept))
     monkeypatch.setattr(files, "sleep", slept.append)
     holder = files.Lock(file)
     made = run(Source("a.mnt", "Dim nv a As Integer = 1"), nv=file)
     assert [each.message for each in made.diagnostics] == [f"the nv data of {file} are in use by another run"]
-    assert sum(slept) == pytest.approx(10.0, abs=max(slept))
+    assert fsum(slept) == pytest.approx(10.0, abs=max(slept))
     holder.release()
