@@ -111,7 +111,8 @@ def _alarms(
             if end is None and not each.is_rare:
                 back = "; what ends it was not played"
             elif end is not None and end.steps:
-                again = ", and comes again" if end.comes_again else ""
+                again = ", and comes again if nothing else changes" if end.comes_again else ""
+                again += f", and comes again without {_joined((end.keeps,), names)}" if end.keeps else ""
                 back = f"; {it}ends by {_joined(end.steps, names)}{again}"
         is_said = not each.is_trouble and all(sign.kind == SAID for sign in each.signs)
         verb = ("are printed", "is printed") if is_said else ("come", "comes")

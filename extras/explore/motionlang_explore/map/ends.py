@@ -3,14 +3,15 @@
 It begins in the world of the good cycle by what it comes by, and all inputs stay as they are then. At the rest behind
 it, what has led there may be taken back. Then one channel after the other that is read at rest is changed, until the
 outputs of the alarm are off, or the machine is where it comes without an alarm that has none. Those of these changes
-are left out without which that happens as well, and the alarm does not come again where other inputs go on to follow.
+are left out without which that happens as well. Without some of them the alarm comes again where other inputs go on to
+follow what the machine does.
 """
 
 from __future__ import annotations
 
 import re
 from collections import defaultdict, deque
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from math import inf
 from typing import NamedTuple
 
@@ -55,9 +56,13 @@ Steps = tuple[Step, ...]
 
 
 class End(NamedTuple):
-    """The changes that end an alarm, none if it ends by itself, and if it `comes_again` behind them."""
+    """The changes that end an alarm, none if it ends by itself.
+
+    It comes again without those that it `keeps`, or `comes_again` with all that was tried.
+    """
 
     steps: Steps = ()
+    keeps: Step = ()
     comes_again: bool = False
 
 
@@ -139,7 +144,7 @@ class Ends:
         for begin in dict.fromkeys((undone, ())):
             found = None if self._is_out_of_work else self._found(start, (begin,) if begin else (), alarm)
             if found is not None:
-                end = self._needed(start, found, alarm, why)
+                end = self._end(start, found, alarm, why)
                 self._known[end] = None
                 return end
         return next((each for each in known if alarm.is_over(self._after(start, each.steps).played)), None)
@@ -247,17 +252,34 @@ class Ends:
             else:
                 yield from ((each,) for each in self._values.get(channel, ()))
 
-    def _needed(self, start: _Reached, steps: Steps, alarm: _Alarm, why: str) -> End:
-        """Return an end without the changes that it does not need; if it does not come again with all, nor without."""
-        comes_again = self._comes_again(self._after(start, steps), alarm)
+    def _end(self, start: _Reached, steps: Steps, alarm: _Alarm, why: str) -> End:
+        """Return an end without the changes that it does not need, and those without which the alarm comes again."""
+
+        def is_over(less: Steps) -> bool:
+            return alarm.is_over(self._after(start, less).played)
+
+        def lasts(less: Steps) -> bool:
+            reached = self._after(start, less)
+            return alarm.is_over(reached.played) and not self._comes_again(reached, alarm)
+
+        needed = self._needed(steps, is_over, why)
+        if lasts(needed):
+            return End(needed)
+        if not lasts(steps):
+            return End(needed, comes_again=True)
+        lasting = self._needed(steps, lasts, why)
+        given = {one for step in needed for one in step}
+        keeps = tuple(one for step in lasting for one in step if one not in given)
+        return End(needed, keeps) if keeps else End(lasting)
+
+    def _needed(self, steps: Steps, holds: Callable[[Steps], bool], why: str) -> Steps:
+        """Return steps without the changes without which something holds as well."""
         changes = [(k, change) for k, step in enumerate(steps) for change in step]
         for k, change in sorted(changes, key=lambda each: self._names[each[1].subject] in why):
             less = (*steps[:k], tuple(one for one in steps[k] if one != change), *steps[k + 1 :])
-            reached = self._after(start, less)
-            is_over = any(less) and alarm.is_over(reached.played)
-            if is_over and (comes_again or not self._comes_again(reached, alarm)):
+            if any(less) and holds(less):
                 steps = less
-        return End(tuple(filter(None, steps)), comes_again)
+        return tuple(filter(None, steps))
 
     def _comes_again(self, reached: _Reached, alarm: _Alarm) -> bool:
         """True if an alarm comes again where other inputs go on to follow what the machine does."""

@@ -107,16 +107,18 @@ def _wait_as_played(made: ProgramMap, exploration: Exploration) -> None:
     structure, played = made.structure, defaultdict[str, set[int]](set)
     loops = sorted((loop.lines for loop in structure.waits.all()), key=len)
     for node in exploration.nodes:
-        places = {structure.line(at) for at in node.places}
-        inner = (next((lines for lines in loops if line in lines), ()) for line in places)
-        around = places.union(*inner)
-        for channel in node.channels:
-            played[Change(*channel, 0.0).subject] |= around
+        for at, read in node.reads.items():
+            line = structure.line(at)
+            around = {line, *next((lines for lines in loops if line in lines), ())}
+            for channel in read:
+                played[Change(*channel, 0.0).subject] |= around
     begun = {structure.line(at) for at in exploration.begun}
-    waits = {each.line for each in structure.statements.values() if each.waits}
+    waiting = (each for each in structure.statements.values() if each.waits)
+    waits = {use.name_at: each.line for each in waiting for use in each.channels}
     for one in made.channels:
         lines = sorted({*one.reads, *one.waits})
-        known = {line for line in lines if line in waits | played[one.title]} | ({*one.waits} - begun)
+        own = {waits[at] for at in one.names_at if at in waits}
+        known = {line for line in lines if line in own | played[one.title]} | ({*one.waits} - begun)
         one.waits, one.reads = sorted(known), [line for line in lines if line not in known]
 
 
@@ -124,10 +126,11 @@ def _decide_as_played(made: ProgramMap, exploration: Exploration) -> None:
     """Tell the conditions that each channel has decided by way of variables, too."""
     statements, found = made.structure.statements, defaultdict[str, dict[str, None]](dict)
     for at, decided in sorted(exploration.decided.items()):
-        condition = statements[at].condition if at in statements else ""
-        for channel in decided if condition else ():
-            subject = Change(*channel, 0.0).subject
-            found[subject][f"{statements[at].line}: {condition}"] = None
+        statement = statements.get(at)
+        # A wait is checked while any task runs.
+        if statement is not None and statement.condition and not statement.waits and "~" in statement.form:
+            for channel in decided:
+                found[Change(*channel, 0.0).subject][f"{statement.line}: {statement.condition}"] = None
     for one in made.channels:
         own = one.decides | found["a key" if one.kind == "key" else one.title]
         one.decides = dict(sorted(own.items(), key=lambda each: int(each[0].partition(":")[0])))

@@ -456,8 +456,8 @@ End Loop
             STEPS,
             [
                 "output 2 (alarm horn) comes with 'AIR' and 'NO LABEL'",
-                "'NO LABEL' comes by input 3 (label on pad) off 6 s after line 27, line 32; ends by input 3 "
-                "(label on pad) on, then input 6 (reset left) on, then input 5 (reset right) on",
+                "'NO LABEL' comes by input 3 (label on pad) off 6 s after line 27, line 32; ends by input 6 "
+                "(reset left) on, then input 5 (reset right) on, and comes again without input 3 (label on pad) on",
                 "'AIR' comes by input 7 (air on) off, line 33; ends by input 7 (air on) on, then input 6 (reset "
                 "left) on, then input 5 (reset right) on",
                 "'FILTER NOT CLEAN' comes by `made > 4000`, line 25 (not played)",
@@ -493,8 +493,8 @@ End Loop
             "a.prg",
             LAMP,
             [
-                "'FAULT: no vacuum' comes by input 3 (vacuum ok) off 2 s after line 7, line 11; ends by input 3 "
-                "(vacuum ok) on, then input 4 (reset) on",
+                "'FAULT: no vacuum' comes by input 3 (vacuum ok) off 2 s after line 7, line 11; ends by input 4 "
+                "(reset) on, and comes again without input 3 (vacuum ok) on",
                 "'FAULT: dropped' and output 4 (fault lamp) come by input 3 (vacuum ok) off, line 15; ends by "
                 "input 4 (reset) on",
             ],
@@ -504,8 +504,8 @@ End Loop
             "a.mnt",
             HANDS,
             [
-                "'FAULT clamp' comes by input 1 (clamp shut) off 0.8 s after line 9, line 11; ends by input 1 "
-                "(clamp shut) on, then input 4 (reset) on",
+                "'FAULT clamp' comes by input 1 (clamp shut) off 0.8 s after line 9, line 11; ends by input 4 "
+                "(reset) on, and comes again without input 1 (clamp shut) on",
                 "'HANDS OFF, SCRAP' comes by input 2 (left hand) off or input 3 (right hand) off, line 20",
                 "'REJECT' comes by analogue input 0 (gauge) = 44, line 21",
             ],
@@ -532,8 +532,8 @@ End Loop
             [
                 "'NO CLAMP' comes by input 1 (clamp shut) off 0.5 s after line 15, line 16",
                 "'RAM STUCK' comes by input 2 (ram down) off 0.8 s after line 17, line 18",
-                "'RAM LOW' comes by input 3 (ram up) off 1.2 s after line 19, line 22; ends by input 3 (ram up) "
-                "on, then input 4 (reset) on",
+                "'RAM LOW' comes by input 3 (ram up) off 1.2 s after line 19, line 22; ends by input 4 (reset) "
+                "on, and comes again without input 3 (ram up) on",
                 "'CLAMP STUCK' comes by input 1 (clamp shut) on 0.6 s after line 25, line 26",
             ],
             id="function",
@@ -545,7 +545,7 @@ End Loop
                 "'STRIP EMPTY' and output 12 (red lamp) come by input 2 (strip present) off, line 7; ends by "
                 "input 2 (strip present) on, then input 3 (fault reset) on",
                 "output 12 (red lamp) and 'KNIFE FAULT' come by input 4 (knife down) off 1 s after line 5, line "
-                "8; ends by input 4 (knife down) on, then input 3 (fault reset) on",
+                "8; ends by input 3 (fault reset) on, and comes again without input 4 (knife down) on",
             ],
             id="held",
         ),
@@ -557,8 +557,8 @@ End Loop
                 "'FAULT 3' comes by input 2 (part there) off, line 20; ends by input 5 (reset) on",
                 "'FAULT 4' comes by input 4 (emergency stop) on, line 20; ends by input 4 (emergency stop) off, then "
                 "input 5 (reset) on",
-                "'FAULT 1' comes by input 2 (part there) off 1.5 s after line 7, line 20; ends by input 2 (part "
-                "there) on, then input 5 (reset) on",
+                "'FAULT 1' comes by input 2 (part there) off 1.5 s after line 7, line 20; ends by input 5 "
+                "(reset) on, and comes again without input 2 (part there) on",
             ],
             id="codes",
         ),
@@ -577,9 +577,9 @@ End Loop
             WANTED,
             [
                 "'VALVE FAULT 3' comes by input 3 (valve at nozzle) off 1.5 s after line 14, line 21; ends by "
-                "input 3 (valve at nozzle) on, then input 5 (reset) on",
+                "input 5 (reset) on, and comes again without input 3 (valve at nozzle) on",
                 "'VALVE FAULT 4' comes by input 4 (valve at hopper) off 1.5 s after line 14, line 21; ends by "
-                "input 4 (valve at hopper) on, then input 5 (reset) on",
+                "input 5 (reset) on, and comes again without input 4 (valve at hopper) on",
                 "output 3 (red lamp) comes with 'VALVE FAULT 3' and 'VALVE FAULT 4'",
             ],
             id="wanted",
@@ -590,7 +590,7 @@ End Loop
             [
                 "'no ball, ...' comes by input 6 (ball seen) off, line 10",
                 "'ALARM three missing' comes by input 6 (ball seen) off after 'no ball, ...' 3 times, line 12; "
-                "ends by input 6 (ball seen) on, then input 7 (reset) on",
+                "ends by input 7 (reset) on, and comes again without input 6 (ball seen) on",
                 "'reject, ...' comes by analogue input 0 (weight) = 38 or 62, line 17",
             ],
             id="missing",
@@ -697,8 +697,8 @@ def test_a_lamp_comes_with_the_texts_of_its_own_plays_and_an_alarm_ends_for_good
         "input 3 (tip in tube) off in the move of line 11 stops the machine in its next cycle, behind line 11",
         "'SHUT THE GUARD' comes by input 2 (guard shut) off, line 8; ends by input 2 (guard shut) on",
         "output 1 (alarm lamp) comes with 'ALARM GUARD' and 'ALARM NO TIP'",
-        "'ALARM NO TIP' comes by input 3 (tip in tube) off, line 14; ends by input 3 (tip in tube) on, then input 4 "
-        "(reset) on",
+        "'ALARM NO TIP' comes by input 3 (tip in tube) off, line 14; ends by input 4 (reset) on, and comes again "
+        "without input 3 (tip in tube) on",
         "'ALARM GUARD' comes by input 2 (guard shut) off, line 15; ends by input 4 (reset) on",
     ]
 

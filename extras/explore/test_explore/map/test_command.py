@@ -211,12 +211,13 @@ def test_the_first_screen_has_the_cycle_its_start_and_its_alarms(cell: Cell) -> 
     assert len(shown) <= 40
     begin = shown.index("Before you change anything")
     assert shown[begin - 2].endswith("lines more")
-    assert shown[begin + 1 : begin + 5] == [
+    assert shown[begin + 1 : begin + 6] == [
         "  input 1 (start) on starts the cycle with input 2 (pressure ok) on",
         "  nothing that was played cuts off a move to a target",
         "  input 2 (pressure ok) off in the move of line 10 stops the machine at the end of its cycle",
-        "  output 2 (horn) comes by input 2 (pressure ok) off, line 6; ends by input 2 (pressure ok) on, then input 3 "
-        "(reset) on",
+        "  output 2 (horn) comes by input 2 (pressure ok) off, line 6; ends by input 3 (reset) on, and comes again "
+        "without input",
+        "      2 (pressure ok) on",
     ]
     assert shown[-1].startswith("--all shows")
 
