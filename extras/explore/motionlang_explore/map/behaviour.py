@@ -631,7 +631,8 @@ def _first(structure: Structure, counted: Collection[int], start: int) -> Iterat
         if p in seen:
             continue
         seen.add(p)
-        if points[p].at in counted:
+        # A jump behind the last statement of a block belongs to that statement, too.
+        if points[p].at in counted and (not p or points[p - 1].at != points[p].at):
             yield points[p].at
         else:
             stack += points[p].next

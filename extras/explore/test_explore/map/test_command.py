@@ -426,3 +426,16 @@ def test_a_menu_shows_what_it_remembers(cell: Cell) -> None:
     shown = cell("map", "menu.mnt", "--all").out
     assert "key 2, seen with size = 0 →" in shown
     assert "key 2, seen with size is not 0 →" in shown
+
+
+def test_all_of_a_block_that_never_ran_has_its_condition(cell: Cell) -> None:
+    loop = "Loop\n  Pause INX(1)\n  MOVER(0) = 10 : GO(0) : Pause IDLE(0)\n  n = n + 1\n"
+    block = '  If n > 90000 Then\n    Print "FULL"\n    n = 0\n  End If\n'
+    cell.write(
+        "a.mnt",
+        f"Dim n As Integer\nSPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000\n{loop}{block}End Loop\n",
+    )
+    shown = cell("map", "a.mnt", "--all").out
+    assert shown[shown.index("Never played") :].splitlines()[3:] == [
+        '        8        9  Print "FULL"  line 7: if n > 90000',
+    ]
