@@ -72,7 +72,7 @@ QUESTIONS = {
             "→ 29 called in 40, 32 (WF5), 4.60 s: output 36 (alarm) on"
         ],
         "what ends the alarm?": ["input 5 (auto/manual) off → 29", "output 36 (alarm) off"],
-        "how is Z homed?": ["homed and zeroed FE = 0 13", "axis 2 (Z) to -20200.2 at 20000"],
+        "how is Z homed?": ["homed and zeroed FE = 0 13", "axis 2 (Z) GO to -20200.2 at 20000"],
         "what does the machine wait for before it lowers on the belt?": [
             "waits in 25 called in 40, 32: WN4 [input 4 (belt free)]"
         ],
