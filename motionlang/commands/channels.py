@@ -245,8 +245,9 @@ def _enter(channel: Channel, use: ChannelUse, line: int, waits: bool) -> None:
         _add(channel.waits if waits else channel.reads, line)
     elif use.access == WRITE:
         _add(channel.writes, line)
-        if use.value and use.value not in channel.values:
-            channel.values.append(use.value)
+        value = f"on for {use.value} ms" if use.unit == "ms" else use.value
+        if use.value and value not in channel.values:
+            channel.values.append(value)
     else:
         _add(channel.set_up, line)
         if use.value and use.value not in channel.starts:

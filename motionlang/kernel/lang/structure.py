@@ -96,8 +96,8 @@ class ChannelUse:
 
     `channel` is one of `keyword.CHANNELS`. `number` is the text of its number, such as "3" or "1, 5" for several
     indices, "?" if it is known only at run time. `alias` is the name that the program has for it, "" if none. `value`
-    is what is written, as in the program, "on for … ms" of a pulse. `name_at` is the offset of the keyword, -1 if it
-    has none.
+    is what is written, as in the program; its `unit` is "ms" for a pulse. `name_at` is the offset of the keyword, -1 if
+    it has none.
     """
 
     channel: str
@@ -107,6 +107,7 @@ class ChannelUse:
     alias: str = ""
     value: str = ""
     name_at: int = -1
+    unit: str = ""
 
 
 @dataclass(eq=False, slots=True)

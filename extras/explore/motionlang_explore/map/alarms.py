@@ -63,7 +63,7 @@ def alarms_of(
             alarms.append(Alarm([sign], why, is_trouble(sign), [begin], is_rare=True))
     told = {sign.at for each in alarms for sign in each.signs}
     told |= frozenset() if exploration.fault_of(exploration.world.run) else faults.seen
-    return [*alarms, *_others(exploration, structure, names, guards, told)], stops, faults.left
+    return [*alarms, *_others(exploration, structure, names, guards, told)], stops, plays.left
 
 
 def shown(sign: Sign, names: ReaderNames) -> str:

@@ -81,14 +81,13 @@ class Fault(NamedTuple):
 
 
 class Faults(NamedTuple):
-    """The faults with which each sign comes, and the changes that were not played.
+    """The faults with which each sign comes.
 
     `rare` is what comes in the world itself, but in no usual cycle, with the cycles before it comes first, and `seen`
     are the statements of all else that has come in the world, or in a play.
     """
 
     of: Mapping[Sign, Sequence[Fault]]
-    left: Sequence[Change]
     rare: Mapping[Sign, tuple[int, Begin]]
     seen: frozenset[int]
 
@@ -155,7 +154,7 @@ def faults_of(
     rare = _rare(run, plays.settings)
     seen |= {each.at for _, each in _signs(run)}
     seen -= {each.at for each, (count, _) in rare.items() if not count}
-    return Faults(known, plays.left, rare, frozenset(seen))
+    return Faults(known, rare, frozenset(seen))
 
 
 def _by_sign(

@@ -58,7 +58,8 @@ class Plays:
     """The plays of the good cycle of an exploration, each with one change.
 
     A change is made at `since`, s, in the middle of the first `move` of a cycle, or at its begin if that has none.
-    `nobody_resets` anything if the machine works so. `left` are the changes that were not played.
+    `settings` are those of the world, without what resets if it works so: `nobody_resets` anything then. `left` are the
+    changes that were not played.
     """
 
     def __init__(self, exploration: Exploration, names: ReaderNames) -> None:
@@ -113,6 +114,8 @@ class Plays:
         """Return the settings in which nobody pushes a button behind a change any more, if the machine goes on so."""
         given = dict.fromkeys(number_in("input", each) for each in entries(self.settings, "input"))
         pushed = [number for number in given if is_pushed(names[f"input {number}"])]
+        if not pushed:
+            return self.settings
         offs = [Change("input", number, 0.0) for number in pushed]
         released = reduce(lambda made, off: self._changed(made, off, self.since), offs, self.settings)
         begun = (each.start_time for each in self._run(released, self.since).machine.log.moves)
@@ -164,7 +167,9 @@ class Plays:
         """Return the entries of a channel; what was asked for once stays from then on."""
         own, events = _own(self.settings, change), self._world.machine.log.events
         asked = [
-            each.time for each in events if each.kind == "asked" and each.text.startswith(change.subject)
+            each.time
+            for each in events
+            if each.kind == "asked" and each.text.startswith(f"{change.subject} = ")
         ]
         if len(own) == 1 and len(asked) == 1 and "value" in own[0]:
             return [{"value": own[0]["value"], "at": asked[0]}]

@@ -1,7 +1,7 @@
 """What stops a machine between its moves: it does not go on as usual behind a change in the middle of a move.
 
-What begins fewer of its moves, and then none for more than a cycle, has been stopped there, whatever it does on its
-way; not what waits for a long time that is given.
+What begins fewer of its moves, and then none for 48 s, or for a longer cycle, has been stopped there, whatever it does
+on its way.
 """
 
 from __future__ import annotations
@@ -58,7 +58,8 @@ class Stops:
 
     def _stays(self, run: Run) -> bool:
         """True if a run begins fewer moves than usual, and then none for long."""
-        begun = [time for time, line in self._moves(run) if line in self._usual]
+        usual = set(self._usual)
+        begun = [time for time, line in self._moves(run) if line in usual]
         last = max(begun, default=self._since)
         is_long = run.status != "until" or run.time - last > max(LONGER, self._period)
         return len(begun) < len(self._usual) and is_long

@@ -288,12 +288,11 @@ class FactsReader:
         for k, group in enumerate([[each] for each in numbers] if several else [numbers]):
             number = ", ".join(map(_number, group)) or ("0" if kinds[0] != "none" else "")
             value = self._text(values[min(k, len(values) - 1)]) if values else ""
-            value = f"on for {value} ms" if row.unit == "ms" and value else value
             known_as = alias or next((a for a in map(_alias, group) if a), "")
             if row.channel == "key":
                 codes = sorted(self._keys.values())
                 known_as = ", ".join(dict.fromkeys(repr(chr(code)) for code in codes))
-            yield ChannelUse(row.channel, number, access, at, known_as, value, name.start)
+            yield ChannelUse(row.channel, number, access, at, known_as, value, name.start, row.unit)
 
     # -------------------------------------------------------------------------------------------------- texts
 
