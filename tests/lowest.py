@@ -59,14 +59,17 @@ TESTED_EXTRAS = ("plot", "parquet", "completion")
 VERSION = "import platform; print(platform.python_version())"
 
 
-def lowest(python_version: str, extras: Iterable[str] = ()) -> list[str]:
-    """Return each dependency with its lowest version for a Python, like "numpy==1.26"; also those of extras."""
+def lowest(python_version: str, extras: Iterable[str] = (), more: Iterable[str] = ()) -> list[str]:
+    """Return each dependency with its lowest version for a Python, like "numpy==1.26"; also those of extras.
+
+    `more` are dependencies of other distributions.
+    """
     environment = {"python_version": ".".join(python_version.split(".")[:2])}
     found = []
-    for text in [*PROJECT["dependencies"], *(each for extra in extras for each in EXTRAS[extra])]:
+    for text in [*PROJECT["dependencies"], *(each for extra in extras for each in EXTRAS[extra]), *more]:
         required = Requirement(text)
-        if required.marker is None or required.marker.evaluate(environment):
-            bounds = [Version(each.version) for each in required.specifier if each.operator == ">="]
+        bounds = [Version(each.version) for each in required.specifier if each.operator == ">="]
+        if bounds and (required.marker is None or required.marker.evaluate(environment)):
             found.append(f"{required.name}=={max(bounds)}")
     return found
 

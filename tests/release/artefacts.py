@@ -9,16 +9,18 @@ import shutil
 import subprocess
 import sys
 import time
+import tomllib
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
+from itertools import combinations
 from pathlib import Path
 
 from motionlang import __version__
 from tests.built import IGNORED, ROOT
 from tests.installed import USES_OF_EXPLORE, needed, write_files
-from tests.lowest import installer, interpreters, run
+from tests.lowest import installer, interpreters, lowest, run
 
 PROGRAM = ROOT / "scripts" / "mint" / "ballscrew.mnt"
 PRINTED = "the nut is at 200.0000 mm"
@@ -82,7 +84,7 @@ def start_time(*command: str | Path) -> float:
 
 
 def environment(folder: Path, *packages: str | Path) -> Path:
-    """Create a virtual environment with the newest versions of packages; return its folder of programs."""
+    """Create a virtual environment with packages, the newest versions; return its folder of programs."""
     call(sys.executable, "-m", "venv", "--without-pip", folder)
     programs = folder / ("Scripts" if os.name == "nt" else "bin")
     call(sys.executable, "-m", *installer(str(programs / "python")), "--quiet", *packages)
@@ -155,8 +157,8 @@ def check_installs(folder: Path, wheel: Path, sdist: Path, *, only_here: bool) -
 
 
 def extras(folder: Path, wheel: Path) -> Iterator[Row]:
-    """Check the distributions in extras, install each with the wheel, and use it."""
-    for name, (use, printed) in USES.items():
+    """Check the distributions in extras; install each alone and each pair with the wheel, and use them."""
+    for name in USES:
         package = f"motionlang_{name}"
         sdist, built = (next(folder.glob(f"{package}-{__version__}{end}")) for end in (".tar.gz", "-*.whl"))
         call(sys.executable, "-m", "twine", "check", "--strict", sdist, built)
@@ -168,11 +170,25 @@ def extras(folder: Path, wheel: Path) -> Iterator[Row]:
             each.relative_to(source).as_posix() for each in (source / package).rglob("*") if each.is_file()
         }
         assert names == wanted, sorted(names ^ wanted)[:5]
-        programs = environment(folder / f"extra-{name}", wheel, built)
-        assert printed in call(programs / "motionlang", *use.split())
-        yield Row(
-            built.name, f"twine; {len(names)} files; motionlang {use.partition(' -')[0]}", megabytes(built)
-        )
+        yield Row(built.name, f"twine; {len(names)} files", megabytes(built))
+    for chosen in (*combinations(USES, 1), *combinations(USES, 2)):
+        wheels = [next(folder.glob(f"motionlang_{name}-*.whl")) for name in chosen]
+        for libraries, pins in (("newest", []), ("lowest", lowest_with(chosen))):
+            programs = environment(folder / "-".join((*chosen, libraries)), wheel, *wheels, *pins)
+            for use, printed in (USES[name] for name in chosen):
+                assert printed in call(programs / "motionlang", *use.split()), (chosen, libraries, use)
+        yield Row(" and ".join(chosen), "used with the newest and the lowest libraries")
+
+
+def lowest_with(names: Iterable[str]) -> list[str]:
+    """Return the lowest versions of the libraries of the wheel and some distributions in extras."""
+    projects = (ROOT / "extras" / name / "pyproject.toml" for name in names)
+    more = [
+        text
+        for each in projects
+        for text in tomllib.loads(each.read_text(encoding="utf-8"))["project"]["dependencies"]
+    ]
+    return lowest(platform.python_version(), more=more)
 
 
 def program(folder: Path, wheel: Path) -> Iterator[Row]:
