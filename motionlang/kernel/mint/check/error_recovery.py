@@ -50,7 +50,7 @@ def with_syntax_errors(found: Iterable[Diagnostic], module: Module, declared: Se
     source = module.source
     lines = {each.line for each in module.errors}
     for node in walk([*module.everything, *module.types]):
-        if isinstance(node, Wrong) and node.start < node.end:  # others are added, not written
+        if isinstance(node, Wrong):
             lines |= {*range(module.line(node.start), module.line(node.end) + 1)}
     names = {name for line in lines for name in _names(source.line(line))}
     if any(map(_is_of_blocks, module.errors)):
