@@ -124,10 +124,10 @@ class Responder:
     """A value that changes when it is asked for.
 
     `current` returns the value, `other` the one to which a rule would change it, None if it would not, and `put`
-    changes it. `name` returns the value in words.
+    changes it. `name` returns the value of a rule in words.
     """
 
-    name: Callable[[object], str]
+    name: Callable[[AskedRule, object], str]
     current: Callable[[], object]
     other: Callable[[AskedRule], object]
     put: Callable[[AskedRule, object], object]
@@ -202,7 +202,7 @@ class Asking:
             value: float = 1 if is_input else rule.stimulus.entry.get("value", 1)  # type: ignore[assignment]
             return 0 if channels.present(channel) == value else value
 
-        def name(value: object) -> str:
+        def name(rule: AskedRule, value: object) -> str:
             level = ("on" if value else "off") if is_input else f"= {value:.10g}"
             return f"{kind} {channel} {level}"
 
@@ -382,7 +382,7 @@ class Asking:
                 query.blocker = each
                 return True
         self._controller.log.events.add(
-            Event(now, "asked", None, None, None, query.task.stack[-1], 0, responder.name(value))
+            Event(now, "asked", None, None, None, query.task.stack[-1], 0, responder.name(rule, value))
         )
         if rule.length < INFINITY:
             rule.until = now + rule.length

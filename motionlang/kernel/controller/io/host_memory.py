@@ -30,6 +30,7 @@ AREAS = {"comms": (1, 99), "netdata": (0, 999)}
 _WHOLE = {"comms": nan, "netdata": 1.0}
 # Their printed names.
 _CALLED = {"comms": "the comms array", "netdata": "NetData"}
+_KINDS = {"comms": "comms element", "netdata": "network data"}
 # How a model's name begins after its family, and the area that its Modbus clients see (AN00198 p. 5).
 PRODUCTS = {"es": "comms", "e150": "netdata", "e180": "netdata", "e190": "netdata", "e100": "netdata"}
 _LARGEST_FLOAT = 3.4028235677973366e38  # larger numbers round to infinity in 32 bits
@@ -140,8 +141,12 @@ class HostMemory:
         def put(rule: AskedRule, words: object) -> None:
             self.write(area, element, words)  # type: ignore[arg-type]
 
-        name = f"{_CALLED[area]}, element {element}"
-        asking.add(area, element, entry, since, controllers.Responder(lambda _: name, current, other, put))
+        def name(rule: AskedRule, words: object) -> str:
+            given = rule.stimulus.entry
+            shown = repr(given["text"]) if "text" in given else f"{given['value']:.10g}"
+            return f"{_KINDS[area]} {element} = {shown}"
+
+        asking.add(area, element, entry, since, controllers.Responder(name, current, other, put))
 
 
 def product(model: str) -> str:

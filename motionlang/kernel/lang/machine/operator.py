@@ -88,7 +88,7 @@ class Operator:
         def put(rule: AskedRule, keys: object) -> None:
             self.press(str(keys), float(rule.stimulus.entry.get("for", PRESS_TIME)))  # type: ignore[arg-type]
 
-        return Responder(lambda keys: f"key {keys}", has_key, text, put)
+        return Responder(lambda rule, keys: f"key {keys}", has_key, text, put)
 
     def press(self, text: str, duration: float = PRESS_TIME) -> None:
         """Press keys one after another and hold the last one for `duration` seconds."""

@@ -98,8 +98,11 @@ class Servers:
         def put(rule: AskedRule, words: object) -> None:
             _put(server, register, words)  # type: ignore[arg-type]
 
-        name = f"register {register} of Modbus server {number}"
-        responder = Responder(lambda _: name, current, other, put)
+        def name(rule: AskedRule, words: object) -> str:
+            what = f"{DRIVES['modbus.register'][0]} {register} of server {number}"
+            return f"{what} = {rule.stimulus.entry['value']:.10g}"
+
+        responder = Responder(name, current, other, put)
         key = number * (LAST + 1) + register
         self._controller.answering().add("modbus.register", key, entry, since, responder)
 

@@ -149,3 +149,29 @@ def test_answers_that_nothing_asks_for_are_reported() -> None:
         ("unasked", 'no INPUT took the answer "2"'),
         ("unasked", 'no INPUT took the answer "3"'),
     ]
+
+
+def test_what_is_asked_for_is_told_with_its_value() -> None:
+    text = """\
+PAUSE INX(1)
+PAUSE ADC(2) > 50
+PAUSE COMMS(3) > 0
+PAUSE NETFLOAT(4) > 0
+While MODBUSTCP16(1, 5) = 0 : End While
+PRINT 1
+"""
+    world = {
+        "input": [{"channel": 1, "asked": 0.1}],
+        "analogue": [{"channel": 2, "value": 80.5, "asked": 0.1}],
+        "comms": [{"element": 3, "value": 5, "asked": 0.1}],
+        "netdata": [{"element": 4, "value": 2.5, "asked": 0.1}],
+        "modbus.register": [{"server": 1, "register": 5, "value": 7, "asked": 0.1}],
+    }
+    run = motionlang.run(Source("m.mnt", text), machine=world)
+    assert [each.text for each in run.machine.log.events if each.kind == "asked"] == [
+        "input 1 on",
+        "analogue input 2 = 80.5",
+        "comms element 3 = 5",
+        "network data 4 = 2.5",
+        "Modbus register 5 of server 1 = 7",
+    ]
