@@ -82,7 +82,7 @@ FIRST, PAIRS, REST = 8, 1, 2
 # The tables of the numbers that a host writes.
 HOSTS = ("comms", "netdata")
 # Levels and numbers that are tried; the size of a lot comes first, since a lot of one has no next piece.
-USUAL, ABOVE, NUMBERS, LOT = 50.0, 100.0, (1, 2, 3, 100), 10
+USUAL, ABOVE, NUMBERS, LOT = 50.0, 100.0, (1, 2, 10, 100), 3
 
 Settings = Mapping[str, object]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import chain, pairwise
 from math import fsum, inf, isfinite
 from typing import TYPE_CHECKING, Any
@@ -41,6 +41,8 @@ USUAL: dict[str, Sequence[float | str]] = {
 STEP = 2.0
 # So many values are tried of one channel.
 MAX_VALUES = 24
+# Of a statement that compares with a counter, so many are tried.
+COUNTED = 3
 # An input comes so often at most.
 MAX_TIMES = 50
 
@@ -84,9 +86,16 @@ def solved(probe: Change, trial: Trial) -> list[Change]:
 
 
 def _roots(probe: Change, trial: Trial) -> Iterator[float]:
-    """Yield the values of a channel at which comparisons turn; that of the other side where no sum leads there."""
+    """Yield the values of a channel at which comparisons turn, the first ones of a statement that counts."""
+    for sides in trial.comparisons.values():
+        roots = list(dict.fromkeys(_turns(probe, sides)))
+        yield from roots[:COUNTED] if _is_counted(roots) else roots
+
+
+def _turns(probe: Change, sides: Iterable[tuple[Any, Any]]) -> Iterator[float]:
+    """Yield the values at which the comparisons of a statement turn; that of the other side if no sum leads there."""
     value = _number(probe)
-    for left, right in chain.from_iterable(trial.comparisons.values()):
+    for left, right in sides:
         for (table, number, read), factor in _difference(left, right).items():
             if table == probe.table and (number == probe.number or table == "answer") and read == value:
                 margin = plain(left) - plain(right)
@@ -108,16 +117,31 @@ def _difference(left: Any, right: Any) -> Form:
 
 
 def levels(trial: Trial, tables: Collection[str] = ("analogue",)) -> Iterator[Change]:
-    """Yield the levels, and numbers, at and beside which the comparisons of a trial turn, whatever was read."""
-    for left, right in (each[-1] for each in trial.comparisons.values()):
-        for (table, number, value), factor in _difference(left, right).items():
-            if table in tables and isfinite(factor):
-                read = Change(table, number, value)
-                root = value - (plain(left) - plain(right)) / factor
-                below = () if table in ("analogue", "key") else (root - 1.0,)
-                for level in (*below, *_near(read, root, ())):
-                    change = _change(read, level)
-                    yield from () if change is None else (change,)
+    """Yield the levels, and numbers, at and beside which the comparisons of a trial turn, whatever was read.
+
+    Of a statement with several it is the last one, the first one if it counts.
+    """
+    for sides in trial.comparisons.values():
+        found = [dict(_zeros(*pair, tables)) for pair in sides]
+        for read in found[-1]:
+            roots = list(dict.fromkeys(each[read] for each in found if read in each))
+            root = roots[0 if _is_counted(roots) else -1]
+            below = () if read.table in ("analogue", "key") else (root - 1.0,)
+            for level in (*below, *_near(read, root, ())):
+                change = _change(read, level)
+                yield from () if change is None else (change,)
+
+
+def _zeros(left: Any, right: Any, tables: Collection[str]) -> Iterator[tuple[Change, float]]:
+    """Yield what a comparison has read, with the value at which it turns."""
+    for (table, number, value), factor in _difference(left, right).items():
+        if table in tables and isfinite(factor):
+            yield Change(table, number, value), value - (plain(left) - plain(right)) / factor
+
+
+def _is_counted(roots: Sequence[float]) -> bool:
+    """True if each value at which a statement turns is as far from the one before."""
+    return len(roots) > 2 and len({after - before for before, after in pairwise(roots)}) == 1
 
 
 def codes(trial: Trial, read: Collection[Channel]) -> list[tuple[Change, ...]]:

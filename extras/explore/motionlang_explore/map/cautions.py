@@ -41,7 +41,8 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
     guards = Guards(structure)
     rows = list(_start(exploration, names))
     alarms, stops, left = alarms_of(exploration, structure, names, guards)
-    if exploration.channels and (exploration.axes or exploration.world.run.machine.log.moves):
+    has_moves = exploration.axes or exploration.world.run.machine.log.moves
+    if stops.places or (exploration.channels and has_moves):
         rows += _stops(exploration, structure, names, stops)
     rows += _alarms(exploration, structure, names, alarms)
     if left:

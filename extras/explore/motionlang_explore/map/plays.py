@@ -11,6 +11,7 @@ from bisect import bisect_left
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import reduce
 from itertools import pairwise
+from math import inf
 from typing import NamedTuple
 
 from motionlang.kernel import Run
@@ -20,6 +21,7 @@ from motionlang_explore.exploration import (
     SECOND,
     TABLES,
     Change,
+    Channel,
     Entry,
     Exploration,
     entries,
@@ -27,6 +29,7 @@ from motionlang_explore.exploration import (
     is_reset,
     keys_of,
     levels,
+    made_by,
     number_in,
 )
 from motionlang_explore.map.names import ReaderNames
@@ -57,7 +60,8 @@ class Play(NamedTuple):
 class Plays:
     """The plays of the good cycle of an exploration, each with one change.
 
-    A change is made at `since`, s, in the middle of the first `move` of a cycle, or at its begin if that has none.
+    A change is made at `since`, s, in the middle of the first `move` of a cycle, or at its begin if that has none; the
+    cycle is over at `end`.
     `settings` are those of the world, without what resets if it works so: `nobody_resets` anything then. `left` are the
     changes that were not played.
     """
@@ -68,6 +72,8 @@ class Plays:
         world = self._world = exploration.world.run
         self.period, cycles = (LENGTH, 1) if world.cycle is None else (world.cycle.period, CYCLES)
         self.move, self.since = _middle(exploration)
+        times = () if world.cycle is None else world.cycle.times
+        self.end = next((each for each in times if each > self.since), inf)
         self._watched = cycles * self.period + WATCHED
         self._most = exploration.work + WORK
         self.settings, self.nobody_resets = self._without_resets(names)
@@ -118,12 +124,20 @@ class Plays:
             return self.settings
         offs = [Change("input", number, 0.0) for number in pushed]
         released = reduce(lambda made, off: self._changed(made, off, self.since), offs, self.settings)
-        begun = (each.start_time for each in self._run(released, self.since).machine.log.moves)
-        return released if any(time > self.since + 2.0 * self.period for time in begun) else self.settings
+        return released if self._goes_on(released, self.since) else self.settings
+
+    def _goes_on(self, settings: Settings, since: float) -> bool:
+        """True if the machine begins its usual moves behind a time, s, in this cycle and the next one."""
+        until = self.end + since - self.since + self.period
+        usual, begun = (
+            sum(since < each.start_time < until for each in run.machine.log.moves)
+            for run in (self._world, self._run(settings, since))
+        )
+        return begun >= usual
 
     def _plays(self, since: float) -> Iterator[Play]:
         """Yield the plays with the changes at a time, then with those from the start."""
-        always, released = list[Play](), self._released
+        always, released, until = list[Play](), self._released, dict[Channel, list[Entry] | None]()
         for change in self._inputs():
             own = _own(self.settings, change)
             is_left = not own or (len(own) == 1 and own[0].keys() <= LEFT)
@@ -131,11 +145,15 @@ class Plays:
             if is_left or not change.value:
                 always.append(self._always(change, is_left))
         for change in self._values():
-            own, is_key = self._steady(change), change.table == "key"
+            own, is_key = _own(self.settings, change), change.table == "key"
             is_left = is_key or (len(own) < 2 and all(each.keys() <= LEFT for each in own))
+            if not is_left and change.channel not in until:
+                until[change.channel] = self._until(change, own, since)
+            past = None if is_left else until[change.channel]
+            own, is_left = (own, is_left) if past is None else (past, True)
             made = {"text" if is_key else "value": change.value, "at": since}
             yield Play(change, _given(released, change, [*own, made]), since, is_left)
-            if not is_key:
+            if not is_key and change.value not in {each.get("value") for each in own}:
                 always.append(self._always(change, is_left))
         yield from always
 
@@ -153,27 +171,35 @@ class Plays:
     def _values(self) -> list[Change]:
         """Return the values at which the comparisons of the program turn, on both sides, and the keys of no world."""
         exploration, world = self._exploration, self._exploration.world
-        causes = (one for node in exploration.nodes for each in node.transitions for one in each.causes)
-        tried = [
-            Change(one.table, one.number, one.value)
-            for one in causes
-            if one.table in VALUES and not one.moment.line
-        ]
+        ways = (each for node in exploration.nodes for each in node.transitions)
+        tried = dict[tuple[Channel, frozenset[int]], Change]()
+        for way, one in ((each, one) for each in ways for one in each.causes):
+            if one.table in VALUES and not one.moment.line:
+                # Values with which the same statements begin are one.
+                tried.setdefault((one.channel, way.begun), Change(one.table, one.number, one.value))
         compared = levels(exploration.play_in(world.settings, world.run.time).trial, VALUES)
         known = {each.get("text") for each in entries(world.settings, "key")}
-        return list(dict.fromkeys(one for one in (*tried, *compared) if one.value not in known))
+        return list(dict.fromkeys(one for one in (*tried.values(), *compared) if one.value not in known))
 
-    def _steady(self, change: Change) -> list[Entry]:
-        """Return the entries of a channel; what was asked for once stays from then on."""
-        own, events = _own(self.settings, change), self._world.machine.log.events
-        asked = [
-            each.time
-            for each in events
-            if each.kind == "asked" and each.text.startswith(f"{change.subject} = ")
-        ]
-        if len(own) == 1 and len(asked) == 1 and "value" in own[0]:
-            return [{"value": own[0]["value"], "at": asked[0]}]
-        return own
+    def _until(self, change: Change, own: Sequence[Entry], since: float) -> list[Entry] | None:
+        """Return the entries of a number of a host until a time, s; None if the machine needs those behind it.
+
+        `own` are those of its channel.
+        """
+        events = [each for each in self._world.machine.log.events if each.kind == "asked"]
+        given = list[tuple[float, Entry]]()
+        for each in own:
+            time, made = made_by(change.table, each)
+            if each.keys() <= LEFT:
+                given.append((time, each))
+            elif each.keys() <= {*LEFT, "asked"}:
+                kept = {key: one for key, one in each.items() if key != "asked"}
+                given += [(one.time, {**kept, "at": one.time}) for one in events if one.text == str(made)]
+            else:
+                return None
+        past = [each for time, each in given if time < since]
+        needs_none = len(past) == len(given) or self._goes_on(_given(self._released, change, past), since)
+        return past if given and needs_none else None
 
     def _changed(self, settings: Settings, change: Change, since: float) -> Settings:
         """Return settings in which an input is as in the world until a time, s, and then as a change says."""

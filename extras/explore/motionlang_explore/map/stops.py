@@ -34,12 +34,10 @@ class Stops:
         world = exploration.world.run
         self._first = None if world.cycle is None or exploration.fault_of(world) else plays.move
         self.move = 0 if self._first is None else self._first.line
-        times = () if world.cycle is None else world.cycle.times
-        end = next((each for each in times if each > plays.since), inf)
         # What the machine does as usual: its moves in this cycle and the next one, and all that it does in these.
-        self._usual = [line for _, line in self._moves(world, end + plays.period)]
-        done = [each for each in acts(exploration, world) if plays.since < each[0] < end + plays.period]
-        self._done, self._in_cycle = [line for _, line in done], bisect_left(done, (end,))
+        self._usual = [line for _, line in self._moves(world, plays.end + plays.period)]
+        done = [each for each in acts(exploration, world) if plays.since < each[0] < plays.end + plays.period]
+        self._done, self._in_cycle = [line for _, line in done], bisect_left(done, (plays.end,))
 
     def take(self, play: Play, run: Run) -> None:
         """Take note of a play in the middle of a cycle whose change stops the machine."""

@@ -146,7 +146,8 @@ MC1
 
 def test_a_note_says_how_far_other_rates_shift_the_rest_of_a_jog(cell: Cell) -> None:
     """From 40 uu/s the jog stops in 40²/(2·800) = 1 uu, and with 4000 uu/s² in 0.2 uu."""
-    text = f"SCALE(0) = 100 : {RATES}SPEED(0) = 90\nJOG(0) = 40 : Pause INX(3) : STOP(0) : Pause IDLE(0)\nPOS(0) = 0\nFor k = 1 To 4\n"
+    text = f"SCALE(0) = 100 : {RATES}SPEED(0) = 90\nJOG(0) = 40 : Pause INX(3) : STOP(0) : Pause IDLE(0)\n"
+    text += "POS(0) = 0\nFor k = 1 To 4\n"
     cell.write("jog.mnt", f"{text}  MOVER(0) = 9 : GO(0) : Pause IDLE(0)\nNext\n")
     cell.write(
         "jog.machine.toml",

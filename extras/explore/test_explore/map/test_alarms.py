@@ -735,12 +735,49 @@ def test_levels_and_numbers_of_a_host_stop_the_machine_too(cell: Cell) -> None:
     cell.write("a.mnt", REFUSED)
     shown = cell("map", "a.mnt", "--all").out.replace("\n      ", " ").splitlines()
     assert [line.strip() for line in shown if "stops the machine" in line or " by " in line] == [
-        "analogue input 0 (glue pot) = 38 or input 1 (run switch) off in the move of line 19 stops the machine "
-        "at the end of its cycle",
+        "analogue input 0 (glue pot) = 38 or input 1 (run switch) off or network data 1 (kind of label 1..3) = -1, 0, "
+        "4 or 5 in the move of line 19 stops the machine at the end of its cycle",
         "'NO LABEL' comes by input 2 (label at gate) off 20 s after line 20, line 18",
         "'KIND ... unknown' is printed by network data 1 (kind of label 1..3) = 4 or 5, line 12",
         "by itself → 7, 0.00 s: axis 0 to 0",
     ]
+
+
+# A host that starts a lot once, says how many it wants, and stops it behind a lid.
+LOT = """\
+' host: comms 1 = command (1 start, 2 stop after this lid)   comms 2 = lids of a lot   comms 3 = lids made
+Dim made As Integer, wanted As Integer
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Loop
+  Pause COMMS(1) = 1
+  wanted = COMMS(2) : made = 0
+  Repeat
+    COMMS(1) = 0
+    MOVEA(0) = 50 : GO(0) : Pause IDLE(0)
+    MOVEA(0) = 0 : GO(0) : Pause IDLE(0)
+    made = made + 1 : COMMS(3) = made
+    Print "LID OK "; made
+    Wait(200)
+  Until made >= wanted Or COMMS(1) = 2
+  Print "lot over"
+End Loop
+"""
+
+
+def test_a_number_of_a_host_stops_a_lot_that_goes_on_by_itself(cell: Cell) -> None:
+    """Of the sizes of a lot, the first ones are tried."""
+    cell.write("a.mnt", LOT)
+    shown = cell("map", "a.mnt", "--all").out.replace("\n      ", " ").splitlines()
+    assert [line.strip() for line in shown if "stops the machine" in line or " by " in line] == [
+        "comms element 1 (command) = 2 in the move of line 9 stops the machine at the end of its cycle",
+        "'lot over' is printed by comms element 1 (command) = 2 or comms element 2 (lids of a lot) = 0, 1 or 2, "
+        "line 15",
+        "by itself → 5, 0.00 s",
+    ]
+    sizes = {
+        line.split(" → ")[0].split("a lot) = ")[1] for line in shown if "a lot) = " in line and " → " in line
+    }
+    assert sizes == {"2", "3", "4", "10"}
 
 
 def test_what_was_not_played_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
