@@ -40,7 +40,7 @@ _DRIVES = "motors?|drives?|servos?"
 _ALONE = r"(?:(?<=[(\[])|(?=.[\d:])|(?-i:(?=[EAS] \d)))"
 # The words that begin a list, and what it names; a channel may be an input or an output.
 _WORDS = {
-    "input": r"d?i|x(?=\d)|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
+    "input": r"d?i|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
     rf"|{_ALONE}e|eing(?:ang|änge)?|ent(?:r(?:[ée]es?|adas?)?)?|ing(?:r(?:ess[oi])?|ang(?:en)?)?|{_SENSORS}",
     "output": r"d?[oq]|[uy](?=\d)|ot|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
     rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|usc(?:it[ae])?|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
@@ -49,10 +49,12 @@ _WORDS = {
     r"|(?:canale|ingress[oi]|entradas?|entr[ée]es?) anal[oó]gi(?:qu|c)[aeio]s?|analogeing(?:ang|änge)",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
     "axis": f"ax(?:is|es?)?|achsen?|ejes?|ass[ei]|assen|{_DRIVES}",
+    # X0 is an input, or an axis where another word names the input with this number.
+    "X": r"x(?=\d)",
     "encoder": "enc(?:oder)?s?",
     "register": "r(?:eg(?:ister|istre|istro)?s?)?|registri",
     "comms element": "comms",
-    "network data": "net(?: ?data)?",
+    "network data": r"net(?: ?data)?|n(?=\d)",
 }
 _KIND = "|".join(f"(?P<{kind.replace(' ', '_')}>{words})" for kind, words in reversed(_WORDS.items()))
 # Marks and words that may be between the word of a list and its number.
@@ -68,7 +70,7 @@ _REVERSED = re.compile(
     re.IGNORECASE,
 )
 _UNIT = (
-    r"(?:mm|s|ms|sec(?:ond)?s?|minutes|days|weeks|months|years|times|x(?= ?\d)|counts|steps?|rpm|deg|degrees"
+    r"(?:mm|s|ms|cts|sec(?:ond)?s?|minutes|days|weeks|months|years|times|x(?= ?\d)|counts|steps?|rpm|deg|degrees"
     "|revs?|turns?|percent|kHz|Hz|V|A|%)"
 )
 # Where an item begins: two blanks or a sign. A colon is one before a word only.
@@ -443,6 +445,9 @@ def _in_its_language(lists: Iterable[_List]) -> list[_List]:
         for each in lists
         for one in each.items[:1]
     }
+    inputs = {item.number for each in letters if each.kind in ("input", "channel") for item in each.items}
+    for each in (one for one in letters if one.kind == "X"):
+        each.kind = "input" if inputs.isdisjoint(item.number for item in each.items) else "axis"
     if "E" not in letters.values():
         return [each for each, letter in letters.items() if letter != "S"]
     for each, letter in letters.items():
