@@ -12,7 +12,7 @@ from motionlang_explore.exploration.changes import (
 from motionlang_explore.exploration.exploration import Exploration
 from motionlang_explore.exploration.further import goes_further
 from motionlang_explore.exploration.search import Explorer, Progress
-from motionlang_explore.exploration.simple import better_world
+from motionlang_explore.exploration.simple import better_world, listed
 from motionlang_explore.exploration.trials import (
     SEARCH,
     SECOND,
@@ -39,7 +39,8 @@ def explore(
 ) -> Exploration:
     """Explore a program, a debug build, in a world with the settings that a person gave.
 
-    It does the work of so many `seconds` of an ordinary core, of up to `most` where no good piece is found. `used`
+    It does the work of so many `seconds` of an ordinary core, of up to `most` where no good piece is found, or none
+    that comes again by itself. `used`
     returns the share of the user's time that is over, by which it ends. `progress` is called with the share of the work
     and what is played. Raises Interrupted, with the run, at Ctrl-C; with `keeps` the first one ends the search, and
     `interrupted` has that run.
@@ -56,10 +57,11 @@ def explore(
             found = Exploration(explorer, before=found)
         if used() < SEARCH:
             found.world = better_world(explorer, found.world, found.cycles)
-            if most > seconds and used() < SEARCH and found.fault_of(found.world.run):
+            is_found = not (found.fault_of(found.world.run) or listed(found.world.settings))
+            if most > seconds and used() < SEARCH and not is_found:
                 explorer.whole = explorer.trials.limit = most * SECOND
-                if explorer.explore(FIRST * most * SECOND):
-                    found = Exploration(explorer, before=found)
+                explorer.explore(FIRST * most * SECOND)
+                found = Exploration(explorer)
                 found.world = better_world(explorer, found.world, found.cycles)
             found.world = _until_it_repeats(explorer, found.world)
     except Interrupted as at:

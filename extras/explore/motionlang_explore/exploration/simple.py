@@ -32,7 +32,7 @@ from typing import Any, NamedTuple
 
 from motionlang.comparison.texts import plain, without_figures
 from motionlang.kernel import Run
-from motionlang_explore.exploration.changes import TABLES, Channel, entries, keys_of, number_in
+from motionlang_explore.exploration.changes import TABLES, Channel, entries, keys_of, made_by, number_in
 from motionlang_explore.exploration.cycles import RIGHT, MachineCycle
 from motionlang_explore.exploration.likely import ASKED, ON, PUSH, QUICK, SOON
 from motionlang_explore.exploration.recorder import ReadSpan
@@ -123,9 +123,9 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     if not first.stands:
         first = _within_limits(explorer, channels, first, least)
     if first.is_good:
-        listed = [each for each in channels if each in _listed(first.settings)]
-        listed += _unwritten(channels, first)
-        first = _climbed(explorer, listed, first, least, inf, GOOD)
+        lacking = [each for each in channels if each in listed(first.settings)]
+        lacking += _unwritten(channels, first)
+        first = _climbed(explorer, lacking, first, least, inf, GOOD)
         given = {number_in("input", each) for each in entries(first.settings, "input")}
         off = [
             each for each in first.read if each[0] == "input" and each in channels and each[1] not in given
@@ -435,7 +435,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     if is_stuck or faults:
         read = {each: read[each] for each in sorted(read, key=partial(_last_read, read, trouble))}
     never = is_stuck and done < ENOUGH
-    stands = (is_stuck and not asks(run)) or (not has_ended and bool(_listed(settings)))
+    stands = (is_stuck and not asks(run)) or (not has_ended and bool(listed(settings)))
     kind = MOVE if any(each == MOVE for each, _ in right) else JOG
     times = max((count for (each, _), count in right.items() if each == kind), default=0)
     # A trial ends early if the program starts moves without time for them.
@@ -476,11 +476,14 @@ def _only_says_wrong(right: Counter[tuple[str, object]], faults: Counter[str]) -
     return max(faults.values(), default=0) >= ENOUGH and not any(kind == SAID for kind, _ in right)
 
 
-def _listed(settings: Settings) -> set[Channel]:
-    """Return the channels that change one by one, which is over soon."""
-    tables = ((table, each) for table in ("input", "analogue") for each in entries(settings, table))
-    often = Counter((table, number_in(table, each)) for table, each in tables)
-    return {each for each, count in often.items() if count > LISTED}
+def listed(settings: Settings) -> set[Channel]:
+    """Return the channels that change one by one, which is over soon; of a host and a key, by the same value."""
+    tables = ((table, each) for table in TABLES if table != "answer" for each in entries(settings, table))
+    often = Counter(
+        (table, number_in(table, each), made_by(table, each)[1].value if table in WRITES else None)
+        for table, each in tables
+    )
+    return {(table, number) for (table, number, _), count in often.items() if count > LISTED}
 
 
 def _times(explorer: Explorer, run: Run, faults: Collection[str]) -> Iterator[float]:

@@ -202,9 +202,22 @@ class Plays:
         return past if given and needs_none else None
 
     def _changed(self, settings: Settings, change: Change, since: float) -> Settings:
-        """Return settings in which an input is as in the world until a time, s, and then as a change says."""
-        was = [each for each in inputs_until(self._world, since) if each["channel"] == change.number]
-        return _given(settings, change, [*was, {"at": since, "value": change.value}])
+        """Return settings in which an input is as in the world until a time, s, and then as a change says.
+
+        What answers does so from then on: without one of two hands the other one would have come at another time.
+        """
+        was = inputs_until(self._world, since)
+        asked = {number_in("input", each) for each in entries(settings, "input") if "asked" in each}
+        for number in sorted(asked):
+            answers = [
+                {**each, "at": since}
+                for each in _own(settings, change._replace(number=number))
+                if "asked" in each
+            ]
+            own = [each for each in was if each["channel"] == number]
+            settings = _given(settings, change._replace(number=number), [*own, *answers])
+        own = [each for each in was if each["channel"] == change.number]
+        return _given(settings, change, [*own, {"at": since, "value": change.value}])
 
 
 def inputs_until(run: Run, time: float) -> list[Entry]:
