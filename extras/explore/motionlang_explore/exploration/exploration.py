@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from math import inf
 from typing import NamedTuple
@@ -22,6 +22,7 @@ from motionlang_explore.exploration.changes import (
 from motionlang_explore.exploration.cycles import MachineCycle, cycles
 from motionlang_explore.exploration.playing import TIMES, played
 from motionlang_explore.exploration.questions import PERIOD
+from motionlang_explore.exploration.recorder import HANDLERS
 from motionlang_explore.exploration.rests import (
     Rest,
     RestState,
@@ -257,9 +258,18 @@ class Exploration:
         """Run the program in the world with some entries of a machine file whose `run.until` is a time, s."""
         return self._explorer.trials.run_in({**settings, "run.until": until})[0]
 
-    def watch(self, settings: Mapping[str, object], *until: float, stands: Callable[[Run], bool]) -> Run:
-        """Run the program in such a world up to the first of some times at which it `stands`, or the last one, s."""
-        return self._explorer.trials.run_in(settings, *until, stands=stands)[0]
+    def watch(
+        self, settings: Mapping[str, object], *until: float, stands: Callable[[Run], bool] = lambda run: False
+    ) -> tuple[Run, Mapping[int, Set[str]]]:
+        """Run the program in such a world up to the first of some times at which it `stands`, or the last one, s.
+
+        Returns also the tasks in which each line has been carried out; a handler is "".
+        """
+        run, tasks, _ = self._explorer.trials.run_in(settings, *until, stands=stands)
+        found = defaultdict[int, set[str]](set)
+        for at, names in tasks.items():
+            found[self.line(at)] |= {"" if name == HANDLERS else name for name in names}
+        return run, found
 
     def fault_of(self, run: Run) -> str:
         """Return what is wrong with the work of a run in words, "" if nothing is."""

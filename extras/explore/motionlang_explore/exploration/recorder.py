@@ -111,6 +111,8 @@ class TrialRecorder(Hook):
         # The values of the remembered variables, each time that one of them has changed.
         self.memory: list[tuple[float, tuple[object, ...]]] = []
         self.seen: set[Seen] = set()
+        # The tasks in which each statement has begun.
+        self.tasks: dict[int, set[str]] = defaultdict(set)
         # The number of comparisons of the present statement at a time: a wait compares again and again.
         self._comparisons, self._compared = 0, (-1, -inf)
         self._is_recorded = False
@@ -223,6 +225,7 @@ class TrialRecorder(Hook):
         if not self._is_recorded:
             is_new = offset not in self.seen or moves != self._moves
             self.seen.add(offset)
+            self.tasks[offset].add(name)
             self._moves = moves
             if is_new or self.since < inf:
                 self._news = self.count

@@ -424,8 +424,8 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     def is_known(run: Run) -> bool:
         return _stands(run) or _only_says_wrong(*_acts(explorer, run))
 
-    run, begun, read = explorer.trials.run_in(settings, STANDS, LENGTH, stands=is_known)
-    begun -= explorer.handlers
+    run, tasks, read = explorer.trials.run_in(settings, STANDS, LENGTH, stands=is_known)
+    begun = frozenset(tasks) - explorer.handlers
     right, faults = _acts(explorer, run)
     has_ended = run.status == "ended"
     # What was done some times has ended since the world has nothing more. Inputs that come and go hide a wait for ever.
@@ -456,9 +456,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     made = [(table, each) for table in TABLES for each in entries(settings, table)]
     value -= ENTRY * fsum(_cost(*each) for each in made)
     is_good = works and not (never or fault_of(explorer, run))
-    return Tried(
-        settings, run, frozenset(begun), read, times, wrongs, share, round(value, 6), is_good, stands
-    )
+    return Tried(settings, run, begun, read, times, wrongs, share, round(value, 6), is_good, stands)
 
 
 def _stands(run: Run) -> bool:

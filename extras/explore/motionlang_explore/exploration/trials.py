@@ -405,11 +405,11 @@ class Trials:
 
     def run_in(
         self, tables: Mapping[str, object], *until: float, stands: Callable[[Run], bool] = lambda run: False
-    ) -> tuple[Run, set[int], dict[Channel, list[ReadSpan]]]:
+    ) -> tuple[Run, Mapping[int, Set[str]], dict[Channel, list[ReadSpan]]]:
         """Run the program with some tables of the machine file up to a time, or the first of some at which it `stands`.
 
-        Without a time the run ends where that of a machine file does. Returns also what has begun, and when each
-        channel was read, in the order in which they were read first.
+        Without a time the run ends where that of a machine file does. Returns also what has begun, with the tasks in
+        which it has, and when each channel was read, in the order in which they were read first.
         """
         self.tell("a world")
         self.count += 1
@@ -420,13 +420,12 @@ class Trials:
                 break
             result = self._run_on(result.machine, time)
         self._note_work(recorder)
-        begun = {each for each in recorder.seen if isinstance(each, int)}
         spans: dict[Channel, list[ReadSpan]] = defaultdict(list)
         for each in recorder.readings.values():
             for channel, read in each.items():
                 spans[channel] += read
         firsts = sorted(spans, key=lambda channel: (min(spans[channel]).first, channel))
-        return result, begun, {channel: spans[channel] for channel in firsts}
+        return result, recorder.tasks, {channel: spans[channel] for channel in firsts}
 
 
 def _question(result: Run) -> str | None:

@@ -272,10 +272,10 @@ class _Description:
 
     def _run(self, settings: Settings) -> tuple[Run, set[int], Acts]:
         """Return a run in a world, the statements that begin, and what it does."""
-        result, begun, _ = self._explorer.trials.run_in(settings, self._until)
+        result, tasks, _ = self._explorer.trials.run_in(settings, self._until)
         log = result.machine.log
         moves = ((each.start_time, each.axis, each.line, is_short_move(each)) for each in log.moves)
-        return result, begun, self._acts(moves, log.outputs, log.prints)
+        return result, {*tasks}, self._acts(moves, log.outputs, log.prints)
 
     def _acts(
         self,

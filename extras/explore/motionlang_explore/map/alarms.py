@@ -32,7 +32,8 @@ class Alarm(NamedTuple):
     """What says that something is wrong, or is only said, and why in words, with how it begins as it was played.
 
     `ends` is False of a lamp that comes with several texts, of what others follow, and of what is quoted from the text,
-    `is_rare` True of what comes after some good cycles, and `is_unplayed` of what no trial has reached.
+    `is_rare` True of what comes after some good cycles, and `is_unplayed` of what no trial has reached. `lamps` come
+    with it and with others.
     """
 
     signs: Sequence[Sign]
@@ -42,6 +43,7 @@ class Alarm(NamedTuple):
     ends: bool = True
     is_rare: bool = False
     is_unplayed: bool = False
+    lamps: Sequence[Sign] = ()
 
     def what(self, names: ReaderNames) -> list[str]:
         """Return what the machine says in quotes, and the names of what it switches or writes."""
@@ -91,31 +93,51 @@ def _played(
 ) -> list[Alarm]:
     """Return the alarms that came by faults: what has the same ones in the same plays is one.
 
-    A lamp of several comes with them.
+    A lamp of several texts, or numbers for a host, comes with them, and such a number ends with its lamp.
     """
     same = defaultdict[frozenset[tuple[Change, float, int, int]], list[Sign]](list)
     for sign in sorted(faults, key=lambda each: each.at):
         same[frozenset((each.change, each.time, each.line, each.times) for each in faults[sign])].append(sign)
+    # Of what is told in one play the text.
+    telling = (
+        [each for each in signs if each.kind != SWITCHED and is_trouble(each)] for signs in same.values()
+    )
+    texts = [min(signs, key=lambda each: each.kind != SAID) for signs in telling if signs]
+    with_texts = {id(signs): _with(signs, texts, faults) for signs in same.values()}
     found = list[Alarm]()
-    texts = [each for each in faults if each.kind == SAID and is_trouble(each)]
     for signs in same.values():
-        is_shown = all(each.kind != SAID for each in signs)
-        others = [
-            each for each in texts if is_shown and all(signs[0] in one.together for one in faults[each])
-        ]
-        others = others if len(others) > 1 else []
+        is_shown, others = all(each.kind != SAID for each in signs), with_texts[id(signs)]
         covered = {each.change for sign in others for each in faults[sign]}
         causes = [each for each in faults[signs[0]] if each.change not in covered]
         why = _caused(causes, names, exploration.line(signs[0].at)) if causes else ""
         if covered:
-            told = _listing(sorted(shown(each, names) for each in others), "and")
+            told = _told(others, names)
             why = f"with {told} or {why}" if why else f"with {told}"
         is_wrong_here = bool(others) or any(map(is_trouble, signs))
         if is_wrong_here or not is_shown:
             ends = not others and not all(each.goes_on for sign in signs for each in faults[sign])
             begins = [each.begin for each in faults[signs[0]]]
-            found.append(Alarm(signs, why, is_wrong_here, begins, ends))
+            lamps = [each for some in same.values() if signs[0] in with_texts[id(some)] for each in some]
+            lamps = [each for each in lamps if is_shown and each.kind == SWITCHED]
+            found.append(Alarm(signs, why, is_wrong_here, begins, ends, lamps=lamps))
     return found
+
+
+def _with(signs: Sequence[Sign], texts: Sequence[Sign], faults: Mapping[Sign, Sequence[Fault]]) -> list[Sign]:
+    """Return the texts with which a lamp comes in each of their plays, if there are several."""
+    others = [
+        each for each in texts if each not in signs and all(signs[0] in one.together for one in faults[each])
+    ]
+    return others if len(others) > 1 and all(each.kind != SAID for each in signs) else []
+
+
+def _told(signs: Sequence[Sign], names: ReaderNames) -> str:
+    """Return texts and numbers for a host in words, the numbers of one channel together."""
+    found = defaultdict[str, list[str]](list)
+    for text in sorted(shown(each, names) for each in signs):
+        head, equal, value = text.partition(" = ") if not text.startswith(("'", '"')) else (text, "", "")
+        found[head + equal].append(value)
+    return _listing([head + _listing(values, "and") for head, values in found.items()], "and")
 
 
 def _caused(faults: Sequence[Fault], names: ReaderNames, line: int) -> str:

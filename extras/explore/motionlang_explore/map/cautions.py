@@ -54,12 +54,11 @@ def cautions(exploration: Exploration, structure: Structure, names: ReaderNames)
         )
     forms = (each.form for each in structure.statements.values())
     clocks = {each for form in forms for each in _CLOCK.findall(form)}
+    rests = (node for node in exploration.nodes if all(each.causes for each in node.transitions))
+    rested = {at for node in rests for place in node.state or () for at in place.statements}
     waits = {
         structure.line(at)
-        for node in exploration.nodes
-        if node.state is not None and all(each.causes for each in node.transitions)
-        for place in node.state
-        for at in place.statements
+        for at in rested | stops.waits
         if guards.waits(at) and not _has_clock(structure.statements[at], clocks)
     }
     return [*rows, CautionRow("waits", "waits", f"of {_lines(waits)} have no time-out")] if waits else rows
@@ -101,13 +100,17 @@ def _alarms(
     """Yield what says that something is wrong or is said only where the cycle is left, why, and what ends it."""
     statements = structure.statements
     ends = Ends(
-        exploration, [statements[sign.at] for each in alarms if each.is_trouble for sign in each.signs], names
+        exploration,
+        [statements[sign.at] for each in alarms if each.is_trouble for sign in (*each.signs, *each.lamps)],
+        names,
     )
     for each in sorted(alarms, key=lambda one: not one.is_trouble):
         what, back = each.what(names), ""
         if each.is_trouble and each.ends:
             said = [sign.what for sign in each.signs if sign.kind == SAID]
-            end = ends.of([statements[sign.at] for sign in each.signs], each.why, said, each.begins)
+            end = ends.of(
+                [statements[sign.at] for sign in (*each.signs, *each.lamps)], each.why, said, each.begins
+            )
             it = "" if " or " not in each.why else "as it was played, it "
             if end is None and not each.is_rare:
                 back = "; what ends it was not played"
@@ -130,8 +133,8 @@ def _stops(
 ) -> Iterator[CautionRow]:
     """Yield what cuts off moves, with their lines and the handler, and what stops the machine between its moves."""
     cut_off = exploration.cut_off()
-    for change in stops.cuts:
-        cut_off.setdefault(change, set()).add(stops.move)
+    for change, lines in stops.cuts.items():
+        cut_off.setdefault(change, set()).update(lines)
     yield from _cuts(cut_off, structure, names)
     ways = (each for node in exploration.nodes for each in node.transitions)
     if not cut_off and not any(ended for each in ways for _, ended in each.does.moves):

@@ -1,6 +1,7 @@
 """What ends an alarm: it is played.
 
-It begins in the world of the good cycle by what it comes by, and all inputs stay as they are then. At the rest behind
+It begins in the world of the good cycle by what it comes by, and all inputs stay as they are then, but for buttons,
+which are let go if it stays so; a host gives nothing more. At the rest behind
 it, what has led there may be taken back. Then one channel after the other that is read at rest is changed, until the
 outputs of the alarm are off, or the machine is where it comes without an alarm that has none. Those of these changes
 are left out without which that happens as well. Without some of them the alarm comes again where other inputs go on to
@@ -31,6 +32,7 @@ from motionlang_explore.exploration import (
     Trial,
     Visit,
     entries,
+    is_pushed,
     is_reset,
     made_at,
     number_in,
@@ -38,7 +40,7 @@ from motionlang_explore.exploration import (
 )
 from motionlang_explore.map.faults import Begin
 from motionlang_explore.map.names import ReaderNames
-from motionlang_explore.map.plays import Settings, inputs_until
+from motionlang_explore.map.plays import LEFT, VALUES, Settings, given_in, inputs_until
 
 # So many changes are tried behind each begin, and in all alarms no more is tried once they have done so much work.
 MAX_TRIED, WORK = 20, 3 * SECOND
@@ -93,6 +95,9 @@ class Ends:
         self._values: dict[Channel, dict[Change, None]] = defaultdict(dict)
         for each in (one for node in exploration.nodes for way in node.transitions for one in way.causes):
             self._values[each.channel][each] = None
+        # The inputs that come more than once in the world.
+        own = entries(exploration.world.settings, "input")
+        self._given = {number_in("input", each) for each in own if not each.keys() <= LEFT}
         # The ends that were found: a lamp has that of its text.
         self._known: dict[End, None] = {}
         alarms = {each.at for each in signs}
@@ -158,7 +163,11 @@ class Ends:
             until = self._exploration.run(each.settings, each.came)
             changed = {one.channel for one in until.machine.log.inputs}
             # All inputs stay as they were when it came.
-            settings = {**each.settings, "input": inputs_until(until, inf)}
+            settings = {
+                **each.settings,
+                **_given_until(until, each.settings),
+                "input": inputs_until(until, inf),
+            }
             held = self._resets(changed - ({each.change.number} if each.change is not None else set()))
             for timeline in dict.fromkeys((made_at(each.time, held), ())):
                 patience = each.came - each.time + PATIENCE
@@ -178,8 +187,12 @@ class Ends:
         return tuple(change._replace(value=value) for value in values[-1:] if isinstance(value, (int, float)))
 
     def _released(self, start: _Reached, alarm: _Alarm) -> _Reached:
-        """Return what an alarm begins with while nobody holds a reset, or as it is if it does not stay so."""
-        held = self._resets(number for number, level in start.levels.items() if level)
+        """Return what an alarm begins with while nobody holds a button, or as it is if it does not stay so."""
+        on = [number for number, level in start.levels.items() if level]
+        pushed = (
+            number for number in on if is_pushed(self._names[f"input {number}"]) and number in self._given
+        )
+        held = (*self._resets(on), *(Change("input", number, 0.0) for number in pushed))
         later = self._changed(start, held)
         return start if alarm.is_over(later.played) else later
 
@@ -285,6 +298,15 @@ class Ends:
         """True if an alarm comes again where other inputs go on to follow what the machine does."""
         played = self._exploration.play(reached.timeline, reached.since, PATIENCE, reached.moving)
         return alarm.comes_again(played)
+
+
+def _given_until(until: Run, settings: Settings) -> dict[str, object]:
+    """Return what a host and keys have given in a run, which gives no more."""
+    return {
+        table: [entry for _, entry in given_in(until, table, own)]
+        for table in VALUES
+        if (own := entries(settings, table)) and table != "analogue"
+    }
 
 
 class _Alarm:

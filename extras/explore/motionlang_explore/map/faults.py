@@ -23,16 +23,18 @@ from motionlang_explore.exploration import (
     entries,
     number_in,
 )
-from motionlang_explore.map.plays import VALUES, Play, Plays, Settings
+from motionlang_explore.map.plays import VALUES, Play, Plays, Settings, Watched
 from motionlang_explore.map.stops import Stops
 
 # A pause is no shorter, s; a longer one than usual is so by a share and a time, s. A move or a given time is none, if
 # it leaves out no larger share at each end.
 PAUSE, SHARE, MORE, NAP = 0.05, 1.05, 0.02, 0.1
+# A lamp that comes so soon before or behind a text comes with it, s.
+TOGETHER = 1.0
 # What begins so soon behind a given time is in a row with it, s.
 NEXT = 0.01
 SAID, SWITCHED, WRITTEN = "said", "switched", "written"
-_FIGURES, _MEASURED = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+")
+_FIGURES, _MEASURED, _WHOLE = re.compile(r"\d[\d.]*"), re.compile(r"\d+\.\d+"), re.compile(r"\d+")
 
 
 class Sign(NamedTuple):
@@ -60,7 +62,7 @@ class Fault(NamedTuple):
 
     `seconds` is how long the machine has paused before, behind what `line` does, 0.0 if not longer than usual. `behind`
     is another sign that has come before, so many `times`. The machine `goes_on` if others have come later, or the same
-    one behind another move. `together` are all signs that have come in its play.
+    one behind another move. `together` are the signs that come so soon before or behind it.
     """
 
     change: Change
@@ -112,26 +114,21 @@ def faults_of(
 
     What is no trouble, and comes behind what is, follows from it.
     """
-    run = exploration.world.run
-    usual, pauses = {_kind(each) for _, each in _signs(run)}, _doings(exploration, run).longest
+    watched = plays.usual()
+    run, pauses = watched.run, _Doings(exploration, watched)
+    usual = {_kind(each) for _, each in (*_signs(run), *_signs(exploration.world.run))}
     statements = exploration.program.structure.statements
     asking = {at for at, each in statements.items() if any(use.channel == "answer" for use in each.channels)}
-    owners, tasks = exploration.program.structure.owners(), defaultdict[str, set[int]](set)
-    for line, task in owners.items():
-        tasks[task].add(line)
-
-    def lines_of(sign: Sign) -> Collection[int]:
-        return tasks[owners.get(exploration.line(sign.at), "")]
-
     came, seen = list[list[_Came]](), set[int]()
-    for play, played in plays.all():
+    for play, watched in plays.all():
+        played = watched.run
         stops.take(play, played)
         all_signs = _signs(played)
         seen |= {each.at for _, each in all_signs}
         signs = [each for each in all_signs if _kind(each[1]) not in usual and each[1].at not in asking]
         wrong = next((at for at, each in signs if is_trouble(each)), inf)
         signs = [each for each in signs if each[0] < wrong + PAUSE or is_trouble(each[1])]
-        doings = _doings(exploration, played)
+        doings = _Doings(exploration, watched)
         begun = sorted(each.start_time for each in played.machine.log.moves)
         came.append(
             [
@@ -140,7 +137,7 @@ def faults_of(
                     at,
                     bisect_left(begun, at),
                     sign,
-                    doings.pause(at, play.since, pauses, lines_of(sign)),
+                    doings.pause(at, play.since, exploration.line(sign.at), pauses),
                 )
                 for at, sign in signs
             ]
@@ -171,13 +168,20 @@ def _by_sign(
         often: tuple[Sign | None, int] = None, 0
         told = [form_of(each.sign) if form_of(each.sign) in counting else each.sign for each in play]
         last = dict(zip(told, play, strict=True))
+        # A lamp may blink.
+        others = [(each.time, sign) for sign, each in zip(told, play, strict=True) if sign.kind != SWITCHED]
         for sign, each in zip(told, play, strict=True):
             if not count[sign]:
-                is_followed = play[-1].time > each.time + PAUSE and told[-1] != sign
+                is_followed = any(at > each.time + TOGETHER and other != sign for at, other in others[-1:])
                 goes_on = nobody_resets and (is_followed or last[sign].moves > each.moves)
+                near = (
+                    other
+                    for other, one in zip(told, play, strict=True)
+                    if abs(one.time - each.time) < TOGETHER
+                )
                 change, settings, since, _ = each.play
                 fault = Fault(
-                    change, settings, since, each.time, *each.pause, *often, goes_on, frozenset(told)
+                    change, settings, since, each.time, *each.pause, *often, goes_on, frozenset(near)
                 )
                 found[sign].setdefault(change, fault)
             count[sign] += 1
@@ -235,7 +239,7 @@ def _counting(plays: Sequence[Sequence[_Came]], later: Mapping[Change, Set[Sign]
 
     What has the number that was given, with two of them, repeats it.
     """
-    found = {form for play in plays for form, signs in _by_form(play).items() if len(signs) > 1}
+    found = {form for play in plays for form, signs in _by_form(play).items() if _ascends(signs)}
     found |= {form_of(each.sign) for play in plays for each in play if "..." in each.sign.what}
     given = defaultdict[tuple[Sign, Channel], set[str]](set)
     for each in (each for play in plays for each in play if each.play.change.table in VALUES):
@@ -265,70 +269,89 @@ def _unsure(plays: Sequence[Sequence[_Came]]) -> Mapping[Change, set[Sign]]:
     return found
 
 
-def _by_form(came: Sequence[_Came]) -> Mapping[Sign, set[Sign]]:
-    """Return what came by its form."""
-    found = defaultdict[Sign, set[Sign]](set)
+def _by_form(came: Sequence[_Came]) -> Mapping[Sign, dict[Sign, None]]:
+    """Return what came by its form, in order."""
+    found = defaultdict[Sign, dict[Sign, None]](dict)
     for each in came:
-        found[form_of(each.sign)].add(each.sign)
+        found[form_of(each.sign)][each.sign] = None
     return found
 
 
-class _Doings(NamedTuple):
-    """What a run does, in order: `longest` is its longest pause behind what each line does, s.
+def _ascends(signs: Collection[Sign]) -> bool:
+    """True if a number of several signs of one form is larger each time."""
+    rows = zip(*([int(each) for each in _WHOLE.findall(sign.what)] for sign in signs), strict=False)
+    return len(signs) > 1 and any(all(a < b for a, b in pairwise(row)) for row in rows)
 
-    `pauses` are those that are neither a move nor of a given time, and in which nobody pushes a button: their ends and
-    begins, s, and the lines of what was done last.
+
+class _Doings:
+    """What a run does, in order, and the pauses between it, those of each task by themselves.
+
+    A pause is neither a move nor of a given time, and nobody pushes a button in it.
     """
 
-    longest: Mapping[int, float]
-    pauses: Sequence[tuple[float, float, Sequence[int]]]
+    def __init__(self, exploration: Exploration, watched: Watched) -> None:
+        self._tasks, run, line = watched.tasks, watched.run, exploration.line
+        log = run.machine.log
+        found = [(0.0, 0), *((each.start_time, each.line) for each in log.moves)]
+        # Waits but for a time end.
+        found += [(each.until, line(each.at)) for each in log.waits if each.at >= 0 and each.cause != "time"]
+        for stream in (log.outputs, log.writes, log.prints):
+            found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
+        self._events = sorted(each for each in found if each[0] <= run.time)
+        moves = ((each.start_time, each.profile, each.line) for each in log.moves)
+        naps = [
+            (line, time, time + profile.duration, -line)
+            for time, profile, line in moves
+            if profile is not None
+        ]
+        naps += [(line(each.at), *each[2:4], each.at) for each in log.waits if each.cause == "time"]
+        self._naps = naps
+        given = entries(exploration.world.settings, "input")
+        asked = {number_in("input", each) for each in given if "asked" in each}
+        # A button that is let go leads on to nothing.
+        self._led = [each.time for each in log.inputs if each.value and each.channel in asked]
+        self._known = dict[str, tuple[Mapping[int, float], Sequence[tuple[float, float, int]]]]()
 
-    def pause(
-        self, time: float, since: float, usual: Mapping[int, float], own: Collection[int]
-    ) -> tuple[float, int]:
-        """Return how long the machine has paused before a time, s, and behind what line; 0.0 if not longer than usual.
+    def pause(self, time: float, since: float, line: int, usual: _Doings) -> tuple[float, int]:
+        """Return how long the task of a line has paused before a time, s, and behind what line.
 
-        A pause in which the change comes is none. Of several lines it is one of `own`, those of the same task.
+        It is 0.0 if that is no longer than usual. A pause in which the change comes is none.
         """
-        before = bisect_right(self.pauses, (time, inf))
-        for end, begin, lines in self.pauses[:before][-1:]:
-            line = next((each for each in reversed(lines) if each in own), lines[-1])
-            if begin >= since and end - begin > SHARE * usual.get(line, 0.0) + MORE:
-                return end - begin, line
+        task = self._task(line)
+        pauses, longest = self._of(task)[1], usual._of(task)[0]
+        for end, begin, last in pauses[: bisect_right(pauses, (time, inf))][-1:]:
+            if begin >= since and end - begin > SHARE * longest.get(last, 0.0) + MORE:
+                return end - begin, last
         return 0.0, 0
 
+    def _task(self, line: int) -> str:
+        """Return the task of a line, "" for all that the machine does if it is that of a handler or of several."""
+        tasks = self._tasks.get(line, ())
+        return next(iter(tasks)) if len(tasks) == 1 else ""
 
-def _doings(exploration: Exploration, run: Run) -> _Doings:
-    """Return the pauses between what a run does, and its waits but for a time end."""
-    log, line = run.machine.log, exploration.line
-    found = [(0.0, 0), *((each.start_time, each.line) for each in log.moves)]
-    found += [(each.until, line(each.at)) for each in log.waits if each.at >= 0 and each.cause != "time"]
-    for stream in (log.outputs, log.writes, log.prints):
-        found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
-    events = sorted(each for each in found if each[0] <= run.time)
-    moves = ((each.start_time, each.profile, each.line) for each in log.moves)
-    naps = [(time, time + profile.duration, -at) for time, profile, at in moves if profile is not None]
-    naps += [(*each[2:4], each.at) for each in log.waits if each.cause == "time"]
-    begins, ends = _in_a_row(naps)
-    given = entries(exploration.world.settings, "input")
-    asked = {number_in("input", each) for each in given if "asked" in each}
-    # A button that is let go leads on to nothing.
-    led = [each.time for each in log.inputs if each.value and each.channel in asked]
-    longest, pauses = defaultdict[int, float](float), list[tuple[float, float, Sequence[int]]]()
-    last = list[int]()
-    for (begin, at), (end, _) in pairwise(events):
-        longest[at] = max(longest[at], end - begin)
-        last.append(at)
-        if end - begin < NEXT:
-            continue
-        share = NAP * (end - begin)
-        begun = bisect_right(begins, begin + share)
-        is_given = begun and ends[begun - 1] >= end - share
-        is_led = bisect_left(led, end) > bisect_right(led, begin)
-        if end - begin >= PAUSE and not (is_given or is_led):
-            pauses.append((end, begin, last))
-        last = []
-    return _Doings(longest, pauses)
+    def _of(self, task: str) -> tuple[Mapping[int, float], Sequence[tuple[float, float, int]]]:
+        """Return the longest pause of a task behind each line, s, and its pauses: ends, begins, s, and lines."""
+        if task not in self._known:
+            self._known[task] = self._worked_out(task)
+        return self._known[task]
+
+    def _worked_out(self, task: str) -> tuple[Mapping[int, float], Sequence[tuple[float, float, int]]]:
+        def is_own(line: int) -> bool:
+            return not task or task in self._tasks.get(line, (task,))
+
+        begins, ends = _in_a_row([each[1:] for each in self._naps if is_own(each[0])])
+        longest, pauses = defaultdict[int, float](float), list[tuple[float, float, int]]()
+        for (begin, line), (end, _) in pairwise(each for each in self._events if is_own(each[1])):
+            longest[line] = max(longest[line], end - begin)
+            if end - begin < NEXT:
+                continue
+            share = NAP * (end - begin)
+            begun = bisect_right(begins, begin + share)
+            is_given = begun and ends[begun - 1] >= end - share
+            is_led = bisect_left(self._led, end) > bisect_right(self._led, begin)
+            if end - begin >= PAUSE and not (is_given or is_led):
+                pauses.append((end, begin, line))
+        return longest, pauses
 
 
 def _in_a_row(naps: Sequence[tuple[float, float, int]]) -> tuple[list[float], list[float]]:

@@ -8,7 +8,7 @@ Nobody resets anything, nor pushes a button any more, if the machine works as we
 from __future__ import annotations
 
 from bisect import bisect_left
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence, Set
 from functools import reduce
 from itertools import pairwise
 from math import inf
@@ -37,8 +37,11 @@ from motionlang_explore.map.names import ReaderNames
 # The machine is watched for so many cycles and s behind a change, where it moves no more so much longer, s; after so
 # much work no more is played.
 CYCLES, WATCHED, LONGER, WORK = 3, 12.0, 48.0, 4 * SECOND
+# What is played once more a cycle later has so much more.
+LATER = SECOND
 # What is left on has no other keys than these.
 LEFT = {"channel", "element", "server", "register", "at", "value"}
+KEYED = {"text"}
 # What has values: levels, numbers of a host and keys. An answer is given when it is asked for.
 VALUES = tuple(table for table in TABLES if table not in ("input", "answer"))
 
@@ -55,6 +58,13 @@ class Play(NamedTuple):
     settings: Settings
     since: float
     is_left: bool
+
+
+class Watched(NamedTuple):
+    """A run, and the tasks in which each line has been carried out, "" for a handler."""
+
+    run: Run
+    tasks: Mapping[int, Set[str]]
 
 
 class Plays:
@@ -79,7 +89,12 @@ class Plays:
         self.settings, self.nobody_resets = self._without_resets(names)
         self._released = self._without_hands(names)
 
-    def all(self) -> Iterator[tuple[Play, Run]]:
+    def usual(self) -> Watched:
+        """Return the run without any change, for at least as long as the plays are watched."""
+        until = self.since + self.period + self._watched
+        return Watched(*self._exploration.watch(self.settings, max(until, self._world.time)))
+
+    def all(self) -> Iterator[tuple[Play, Watched]]:
         """Yield each play with its run: the changes in the middle of a cycle, then those from the start."""
         was_played = dict[Change, bool]()
         for play in self._plays(self.since):
@@ -90,20 +105,20 @@ class Plays:
         self.left = [change for change, is_known in was_played.items() if not is_known]
 
     def later(self, changes: Collection[Change]) -> Iterator[tuple[Play, Run]]:
-        """Yield the plays with some changes one cycle later."""
+        """Yield the plays with some changes one cycle later, with their runs."""
         since = self.since + self.period
         for play in self._plays(since) if self._world.cycle is not None else ():
-            if play.since and play.change in changes and self._exploration.work <= self._most:
-                yield play, self._run(play.settings, since)
+            if play.since and play.change in changes and self._exploration.work <= self._most + LATER:
+                yield play, self._run(play.settings, since).run
 
-    def _run(self, settings: Settings, since: float) -> Run:
+    def _run(self, settings: Settings, since: float) -> Watched:
         """Run the machine with a change; where it begins no move any more it is watched longer."""
         until = since + self._watched
 
         def goes_on(run: Run) -> bool:
             return any(each.start_time > until - WATCHED for each in run.machine.log.moves)
 
-        return self._exploration.watch(settings, until, until + LONGER, stands=goes_on)
+        return Watched(*self._exploration.watch(settings, until, until + LONGER, stands=goes_on))
 
     def _without_resets(self, names: ReaderNames) -> tuple[Settings, bool]:
         """Return the settings of the world without the inputs that reset if it works as well, and if it does."""
@@ -131,7 +146,7 @@ class Plays:
         until = self.end + since - self.since + self.period
         usual, begun = (
             sum(since < each.start_time < until for each in run.machine.log.moves)
-            for run in (self._world, self._run(settings, since))
+            for run in (self._world, self._run(settings, since).run)
         )
         return begun >= usual
 
@@ -186,17 +201,7 @@ class Plays:
 
         `own` are those of its channel.
         """
-        events = [each for each in self._world.machine.log.events if each.kind == "asked"]
-        given = list[tuple[float, Entry]]()
-        for each in own:
-            time, made = made_by(change.table, each)
-            if each.keys() <= LEFT:
-                given.append((time, each))
-            elif each.keys() <= {*LEFT, "asked"}:
-                kept = {key: one for key, one in each.items() if key != "asked"}
-                given += [(one.time, {**kept, "at": one.time}) for one in events if one.text == str(made)]
-            else:
-                return None
+        given = given_in(self._world, change.table, own)
         past = [each for time, each in given if time < since]
         needs_none = len(past) == len(given) or self._goes_on(_given(self._released, change, past), since)
         return past if given and needs_none else None
@@ -206,18 +211,35 @@ class Plays:
 
         What answers does so from then on: without one of two hands the other one would have come at another time.
         """
-        was = inputs_until(self._world, since)
-        asked = {number_in("input", each) for each in entries(settings, "input") if "asked" in each}
-        for number in sorted(asked):
-            answers = [
-                {**each, "at": since}
-                for each in _own(settings, change._replace(number=number))
-                if "asked" in each
+        was, later = inputs_until(self._world, since), inputs_until(self._world, inf)
+        for each in (each for each in entries(settings, "input") if "asked" in each):
+            number = number_in("input", each)
+            own = [one for one in was if one["channel"] == number]
+            # A button that is held is let go as in the world.
+            held = [one for one in later if one["channel"] == number][len(own) :][
+                : bool(own and "for" in each)
             ]
-            own = [each for each in was if each["channel"] == number]
-            settings = _given(settings, change._replace(number=number), [*own, *answers])
-        own = [each for each in was if each["channel"] == change.number]
+            held = held if own and own[-1]["value"] else []
+            rule = {**each, "at": held[0]["at"] if held else since}
+            settings = _given(settings, change._replace(number=number), [*own, *held, rule])
+        own = [one for one in was if one["channel"] == change.number]
         return _given(settings, change, [*own, {"at": since, "value": change.value}])
+
+
+def given_in(run: Run, table: str, own: Sequence[Entry]) -> list[tuple[float, Entry]]:
+    """Return what entries of a host or a key have given in a run, and when, s; none for what comes by other rules."""
+    asked = [each for each in run.machine.log.events if each.kind == "asked"]
+    found = list[tuple[float, Entry]]()
+    for each in own:
+        time, made = made_by(table, each)
+        if each.keys() <= {*LEFT, *KEYED}:
+            found.append((time, each))
+        elif each.keys() <= {*LEFT, *KEYED, "asked"}:
+            kept = {key: one for key, one in each.items() if key != "asked"}
+            found += [(one.time, {**kept, "at": one.time}) for one in asked if one.text == str(made)]
+        else:
+            return []
+    return found
 
 
 def inputs_until(run: Run, time: float) -> list[Entry]:

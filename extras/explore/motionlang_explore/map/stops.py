@@ -7,33 +7,39 @@ on its way.
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections import defaultdict
 from difflib import SequenceMatcher
 from math import inf
 
 from motionlang.kernel import Run
-from motionlang.kernel.log import CONTINUED, LoggedMove
+from motionlang.kernel.log import CONTINUED
 from motionlang_explore.exploration import Change, Exploration
 from motionlang_explore.map.plays import LONGER, Play, Plays, acts
 
 # What a move is not cut off by.
 UNCUT = ("", CONTINUED)
-# Times that differ by less are the same, s.
-SHORT = 1e-6
 
 
 class Stops:
     """What stops a machine that makes good pieces; nothing stops any other.
 
     `places` are the changes that bring it to rest, in the middle of the move of line `move`, each with the place of the
-    last thing that was done as usual, a move, an output or a print, in words; `cuts` are those that cut off that move.
+    last thing that was done as usual, a move, an output or a print, in words; `cuts` are those that cut off moves, with
+    their lines. `waits` are the statements in which the machine then waits to the end of the play.
     """
 
     def __init__(self, exploration: Exploration, plays: Plays) -> None:
-        self.places, self.cuts = list[tuple[Change, str]](), list[Change]()
+        self.places, self.waits = list[tuple[Change, str]](), set[int]()
+        self.cuts = defaultdict[Change, set[int]](set)
         self._exploration, self._since, self._period = exploration, plays.since, plays.period
         world = exploration.world.run
         self._first = None if world.cycle is None or exploration.fault_of(world) else plays.move
         self.move = 0 if self._first is None else self._first.line
+        ended = defaultdict[int, set[str]](set)
+        for each in world.machine.log.moves:
+            ended[each.line].add(each.ended)
+        # The lines whose moves are never cut off in the world.
+        self._uncut = {line for line, ways in ended.items() if ways.issubset(UNCUT)}
         # What the machine does as usual: its moves in this cycle and the next one, and all that it does in these.
         self._usual = [line for _, line in self._moves(world, plays.end + plays.period)]
         done = [each for each in acts(exploration, world) if plays.since < each[0] < plays.end + plays.period]
@@ -43,10 +49,15 @@ class Stops:
         """Take note of a play in the middle of a cycle whose change stops the machine."""
         if self._first is None or not play.since:
             return
-        if self._first.ended in UNCUT and _has_cut(run, self._first):
-            self.cuts.append(play.change)
+        cut = {each.line for each in run.machine.log.moves if each.ended not in UNCUT} & self._uncut
+        if cut := cut if play.is_left else cut & {self.move}:
+            self.cuts[play.change] |= cut
         if play.is_left and self._stays(run):
             self.places.append((play.change, self._place(run)))
+            scheduler = run.machine.scheduler
+            for task in () if scheduler is None else scheduler.tasks:
+                if not task.done and task.wait is not None and task.wait.due() == inf:
+                    self.waits.add(task.at)
 
     def _moves(self, run: Run, until: float = inf) -> list[tuple[float, int]]:
         """Return the times and lines of the moves that a run begins behind a change, up to a time, s."""
@@ -71,11 +82,3 @@ class Stops:
             return "at the end of its cycle"
         line = [self.move, *self._done][last]
         return f"behind line {line}" if last < self._in_cycle else f"in its next cycle, behind line {line}"
-
-
-def _has_cut(run: Run, move: LoggedMove) -> bool:
-    """True if a move of the world has been cut off in a run."""
-    return any(
-        each.line == move.line and each.ended not in UNCUT and abs(each.start_time - move.start_time) < SHORT
-        for each in run.machine.log.moves
-    )

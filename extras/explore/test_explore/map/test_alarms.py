@@ -780,6 +780,80 @@ def test_a_number_of_a_host_stops_a_lot_that_goes_on_by_itself(cell: Cell) -> No
     assert sizes == {"2", "3", "4", "10"}
 
 
+# Two tasks whose alarms one sub tells by a number, two hands, and a box that is full after nine pieces.
+TASKS = """\
+' IN 1 left palm  2 right palm  3 slider fed  4 gripped  5 reset
+' OUT 1 gripper  2 feeder  3 red lamp      comms 7 = alarm
+Auto
+Dim want As Integer, have As Integer, bad As Integer, made As Integer, k As Integer
+
+Task feeding
+  Loop
+    If want = 1 Then
+      OUTX(2) = 1 : TIME = 0
+      Pause INX(3) Or TIME > 2000
+      OUTX(2) = 0
+      If INX(3) = 0 Then stopWith(3) Else have = 1
+      want = 0
+    End If
+    Wait(20)
+  End Loop
+End Task
+
+Sub stopWith(n As Integer)
+  bad = n : COMMS(7) = n : OUTX(3) = 1
+End Sub
+
+SPEED(0) = 100 : ACCEL(0) = 1000 : DECEL(0) = 1000
+Run feeding
+Loop
+  If bad Then
+    Pause INX(5)
+    bad = 0 : COMMS(7) = 0 : OUTX(3) = 0
+  End If
+  Pause INX(1) And INX(2)
+  have = 0 : want = 1 : OUTX(1) = 1 : k = 0
+  Repeat
+    Wait(50)
+    k = k + 1
+  Until INX(4) Or k = 30
+  If INX(4) = 0 Then
+    stopWith(4)
+  Else
+    Pause have Or bad
+    If bad = 0 Then
+      MOVER(0) = 50 : GO(0)
+      Pause IDLE(0) Or INX(1) = 0 Or INX(2) = 0
+      If IDLE(0) = 0 Then
+        STOP(0) : Pause IDLE(0)
+        Print "HANDS OFF"
+      Else
+        made = made + 1
+        Print "FITTED"
+        If made = 9 Then Print "BOX FULL" : made = 0
+      End If
+    End If
+  End If
+  OUTX(1) = 0
+  Pause INX(1) = 0 And INX(2) = 0
+End Loop
+"""
+
+
+def test_alarms_of_tasks_count_from_what_their_own_task_did_last(cell: Cell) -> None:
+    cell.write("a.mnt", TASKS)
+    shown = cell("map", "a.mnt", "--all").out.replace("\n      ", " ").splitlines()
+    assert [line.strip() for line in shown if " come" in line or "cuts off" in line or "cycles" in line] == [
+        "input 1 (left palm) off or input 2 (right palm) off cuts off moves of line 41",
+        "comms element 7 (alarm) = 3 comes by input 3 (slider fed) off 2 s after line 9, line 20; ends by input 5 "
+        "(reset) on, and comes again without input 3 (slider fed) on",
+        "comms element 7 (alarm) = 4 comes by input 4 (gripped) off 1.5 s after line 31, line 20; ends by input 5 "
+        "(reset) on, and comes again without input 4 (gripped) on",
+        "output 3 (red lamp) comes with comms element 7 (alarm) = 3 and 4",
+        "'BOX FULL' is printed after 9 cycles, line 49",
+    ]
+
+
 def test_what_was_not_played_is_named(cell: Cell, monkeypatch: pytest.MonkeyPatch) -> None:
     cell.write("a.mnt", MISSING)
     monkeypatch.setattr(plays, "WORK", 0)
