@@ -1,7 +1,7 @@
 """What words in names, remarks and printed lines mean, by language: only a first guess, what is played decides.
 
-Each meaning has a pattern for English, German, French, Spanish, Italian and Dutch. A part of a word counts, but for
-`\\b`.
+Each meaning has a pattern for English, German, French, Spanish, Italian, Dutch and Portuguese. A part of a word counts,
+but for `\\b`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ RESET = _words(
     it=r"riarmo|ripristino",
     nl=r"kwiteer|herstel",
 )
-_ACKNOWLEDGE = _words(en=r"\back")
+_ACKNOWLEDGE = _words(en=r"\back", pt=r"\bconfirm")
 BY_HAND = _words(
     any=RESET.pattern,
     en=r"start|button|\bp\.?b\b|btn|pedal|palm|hand|foot|finger|\bkey|\back|push(?!er)|changed",
@@ -40,6 +40,7 @@ BY_HAND = _words(
     es=r"pulsador|bot[óo]n|\bmarcha\b|arranque|\bmano",
     it=r"pulsante|avvio|marcia|\bmano\b",
     nl=r"knop|pedaal|\bvoet",
+    pt=r"bot[ãa]o|botoeira|partida|\bm[ãa]os?\b",
 )
 STEADY = _words(
     en=r"stop|guard|door|gate|curtain|cover|hood|\bn\.?/?c\b|closed|shut|\bok\b|ready|\bair|\boil|water|present|health"
@@ -49,6 +50,7 @@ STEADY = _words(
     es=r"\bparo\b|puerta|resguardo|\btapa\b|\baire|presi[óo]n|listo|cerrad|presente",
     it=r"arresto|porta\b|riparo|griglia|\baria|pressione|pronto|chius|presente",
     nl=r"deur|\bkap\b|\bhek\b|scherm|lucht|gereed|dicht\b|aanwezig",
+    pt=r"\bparada|paragem|porta\b|prote[çc][ãa]o|\btampa\b|fechad|press[ãa]o|pronto",
 )
 ABSENT = _words(
     en=r"open|full|\blow\b|empty|broke|\bbrk\b|\bjam|\bjog|spare|reserve|fault|setup",
@@ -57,6 +59,7 @@ ABSENT = _words(
     es=r"abiert|llen[oa]\b|\brot[oa]\b|atasc",
     it=r"apert|pien[oa]\b|vuot[oa]\b|rott[oa]\b|esaurit",
     nl=r"\bvol\b|leeg|breuk",
+    pt=r"abert|chei[oa]\b|vazi[oa]\b|quebrad|encravad",
 )
 _RUN = _words(
     en=r"\brun(?:ning)?\b(?! out)",
@@ -70,6 +73,7 @@ _SEEN = _words(
     fr=r"d[ée]tect|capteur",
     it=r"rileva",
     nl=r"gezien",
+    pt=r"detet",
 )
 BACK = _words(
     en=r"\bup\b(?! to)|home|\bback|open|retract|releas|raised",
@@ -78,6 +82,7 @@ BACK = _words(
     es=r"arriba|atr[áa]s|retra|abiert",
     it=r"\bsu\b|\balto\b|indietro|apert",
     nl=r"boven|terug|achter",
+    pt=r"em cima|recuad|abert",
 )
 # In the name of an output: what only shows something, and what is switched on when something is wrong.
 SHOWN = _words(
@@ -87,6 +92,7 @@ SHOWN = _words(
     es=r"\bluz\b|l[áa]mpara|piloto|\broj[oa]\b|\bverde\b",
     it=r"spia\b|luce\b|ross[oa]\b",
     nl=r"\brood\b|\bgroen\b|zoemer|toeter",
+    pt=r"l[âa]mpada|sinaleir|buzina|campainha|vermelh",
 )
 ALARM = _words(
     en=r"alarm|(?<!de)fault|trouble|error|fail|reject|scrap(?!er)|\bbad\b|^(?!.*green).*\bred\b"
@@ -96,6 +102,7 @@ ALARM = _words(
     es=r"aver[íi]a|\bfall[oa]s?\b|\broj[oa]\b|rechaz|\bmal[oa]s\b",
     it=r"allarme|guasto|errore|\bross[oa]\b|scart[oi]\b",
     nl=r"storing|\bfout|\brood\b|\brode\b|afkeur|uitval",
+    pt=r"avaria|falha|defeito|rejeit|refugo|vermelh",
 )
 # What calls a person when something is wrong or wanted, or sounds before the machine moves.
 SOUND = _words(
@@ -105,6 +112,7 @@ SOUND = _words(
     es=r"sirena",
     it=r"sirena",
     nl=r"toeter|zoemer",
+    pt=r"buzina|campainha",
 )
 # Of a level, in a good machine and in a bad one.
 GOOD = _words(
@@ -114,6 +122,7 @@ GOOD = _words(
     es=r"cerrad|libre|buen",
     it=r"chius|liber|buon",
     nl=r"dicht|vrij|goed",
+    pt=r"fechad|livre",
 )
 BAD = _words(
     en=r"open|interr|broke|low|empty|stop|halt|fault",
@@ -122,6 +131,7 @@ BAD = _words(
     es=r"abiert|cortad|rot[oa]",
     it=r"apert|interrott|rott[oa]",
     nl=r"onderbr|kapot|leeg",
+    pt=r"abert|cortad|vazi",
 )
 # What names of inputs and outputs share by chance.
 COMMON = re.compile(
@@ -147,11 +157,12 @@ _TROUBLE = _any(
     r"|(?:griglia|porta|riparo|carter)(?=\W+(?:è\W+)?apert)",
     nl=r"\bstoring\b|\bfout|ontbreekt|afgekeurd|\bafkeur|\buitval|\bkapot|gebroken|noodstop|klemt\b"
     r"|(?:deur|kap|hek|scherm)(?=\W+(?:is\W+)?open)",
+    pt=r"avaria|\bfalha|\bfalta|rejeit|defeito|refugo|encravad|quebrad|(?:porta|tampa|prote[çc][ãa]o)(?=\W+(?:est[áa]\W+)?abert)",
 )
 _WRONG = re.compile(
-    r"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?<!\bkeine )(?<!\bsin )(?<!\bgeen )"
+    r"(?<!^0 )(?<![^\d.]0 )(?<!\bno )(?<!\bkeine )(?<!\bsin )(?<!\bsem )(?<!\bgeen )"
     rf"(?:{_TROUBLE})(?!\w*\W{{1,12}}0\b(?![.,]\d))"
-    rf"|(?:\b(?:not?|keine?|nicht|geen|niet|sin|nessun[oa]?)|n't)\b(?!\W*(?:\d|{_TROUBLE}))",
+    rf"|(?:\b(?:not?|keine?|nicht|geen|niet|sin|sem|nessun[oa]?)|n't)\b(?!\W*(?:\d|{_TROUBLE}))",
     re.IGNORECASE,
 )
 _RIGHT = _words(
@@ -161,6 +172,7 @@ _RIGHT = _words(
     es=r"\bbuen[oa]s?\b",
     it=r"\bbuon[oaie]\b",
     nl=r"\bgoede?\b",
+    pt=r"\bbo(?:m|ns|as?)\b",
 )
 # What a program says when it stops, but for its start.
 _STOPPED = _words(
@@ -170,6 +182,7 @@ _STOPPED = _words(
     es=r"^paro\b|\bparad[oa]\b",
     it=r"\bfermat[oa]\b|arrestat[oa]",
     nl=r"gestopt",
+    pt=r"\bparad[oa]\b",
 )
 
 

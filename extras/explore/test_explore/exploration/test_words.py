@@ -1,4 +1,4 @@
-"""What a program prints when something is wrong, as a person reads it, in six languages."""
+"""What a program prints when something is wrong, as a person reads it, in seven languages."""
 
 from __future__ import annotations
 
@@ -45,6 +45,10 @@ STORING 4
 geen hoefijzer
 kap open
 PARO en fase 40
+AVARIA garra
+tampa aberta
+sem marca
+falta cesto
 machine arrêtée
 macchina fermata
 Anlage angehalten
@@ -64,6 +68,9 @@ para salir pulse paro
 geen fouten
 sin fallos
 hoefijzer 3 klaar
+cesto 4 corado
+sem avaria
+tampa fechada
 """
 
 
