@@ -12,7 +12,7 @@ from motionlang_explore.exploration.changes import (
 from motionlang_explore.exploration.exploration import Exploration
 from motionlang_explore.exploration.further import goes_further
 from motionlang_explore.exploration.search import Explorer, Progress
-from motionlang_explore.exploration.simple import better_world, listed
+from motionlang_explore.exploration.simple import better_world, lasting_world, listed
 from motionlang_explore.exploration.trials import (
     SEARCH,
     SECOND,
@@ -63,7 +63,7 @@ def explore(
                 explorer.explore(FIRST * most * SECOND)
                 found = Exploration(explorer)
                 found.world = better_world(explorer, found.world, found.cycles)
-            found.world = _until_it_repeats(explorer, found.world)
+            found.world = lasting_world(explorer, _until_it_repeats(explorer, found.world))
     except Interrupted as at:
         if not keeps:
             raise

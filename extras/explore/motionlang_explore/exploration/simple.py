@@ -10,6 +10,7 @@ is worth most, until none is worth more. The channel that a run has read last ma
 A program measures a part by a level: where it does at one within limits what it does at no other, that one is taken.
 It judges a part by an input: where a run does something else with it never on, always on or behind an output, the
 branch is taken that is worth more. An input without which nothing but texts is missing, such as a stop, is off.
+What goes wrong late, such as behind a full batch, a long run shows: one more input may be what is missing there.
 
 What a run is worth: the share of the program that it carries out, each line that moves an axis, each output, each
 printed line; much less if it says that something is wrong, or waits for ever. Handlers do not count.
@@ -46,7 +47,7 @@ from motionlang_explore.exploration.trials import (
 )
 from motionlang_explore.exploration.values import is_probe, levels, probe_of, solved
 from motionlang_explore.exploration.words import is_right, is_wrong, names_alarm, speaks, wrong
-from motionlang_explore.exploration.world import PULSES, WRITES, FoundWorld, world_of
+from motionlang_explore.exploration.world import PULSES, WHOLE, WRITES, FoundWorld, world_of
 from motionlang_explore.identification import Entry, place
 
 # So much of the work of an exploration simple worlds may take where a good one was found, in so many runs each time, of
@@ -69,7 +70,7 @@ ENOUGH, HALF = 3, 0.5
 # line. Against it: a line that says what is wrong, a wait that never ends, no motion where axes should move, and each
 # entry of the machine file, less for a number or a key that comes whenever it is asked for, more for what pulses, and
 # much more for a level that follows an axis.
-WHOLE, ENDS = 4.0, 2.0
+SHARE, ENDS = 4.0, 2.0
 MOVE, JOG, OUTPUT, SAID = "move", "jog", "output", "said"
 WORTH = {MOVE: 1.5, JOG: 0.5, OUTPUT: 0.5, SAID: 2.0}
 WRONG, NEVER, NOTHING, ENTRY, ANSWERS, PULSED, MOVING = 4.0, 3.0, 5.0, 0.01, 0.5, 1.5, 20.0
@@ -165,6 +166,30 @@ def better_world(explorer: Explorer, found: FoundWorld, likeliest: Sequence[Mach
     best = _climbed(explorer, _unwritten(channels, best), best, least, inf, GOOD)
     best = _with_less(explorer, _within_limits(explorer, channels, best, least), least)
     return world._replace(settings=best.settings, run=best.run)
+
+
+def lasting_world(explorer: Explorer, found: FoundWorld) -> FoundWorld:
+    """Return a world with one more input where a long run in it goes wrong late, such as behind a full batch.
+
+    The input is on, or follows an output, and the run then does at least as much, and nothing wrong.
+    """
+    given = {number_in("input", each) for each in entries(found.settings, "input")}
+    left = [each for each in _channels(explorer) if each[0] == "input" and each[1] not in given]
+    if not left or fault_of(explorer, found.run) or not explorer.has_work:
+        return found
+    run, tasks, read = explorer.trials.run_in(found.settings, WHOLE)
+    if not fault_of(explorer, run):
+        return found
+    first = Tried(found.settings, run, frozenset(tasks), read, 0, 0.0, 0.0, 0.0, False, False)
+    for channel in (each for each in left if each in read):
+        for rule in (*_followed(first, channel), {**ON}):
+            settings = _with(found.settings, channel, rule)
+            if explorer.has_work:
+                other = explorer.trials.run_in(settings, WHOLE)[0]
+                does_more = len(other.machine.log.moves) >= len(run.machine.log.moves)
+                if does_more and not fault_of(explorer, other):
+                    return found._replace(settings=settings, run=other)
+    return found
 
 
 def _likely_starts(
@@ -447,7 +472,7 @@ def _tried(explorer: Explorer, settings: Settings, least: int = 1) -> Tried:
     works = is_motionless or (times >= (1 if has_ended else least) and not is_over)
     often = 1 if has_ended else ENOUGH
     share = len(begun) / max(len(statements), 1)
-    value = WHOLE * share + ENDS * has_ended - NEVER * (never or stands) - NOTHING * (not works)
+    value = SHARE * share + ENDS * has_ended - NEVER * (never or stands) - NOTHING * (not works)
     value += fsum(WORTH[kind] * min(count / often, 1.0) for (kind, _), count in right.items())
     value += RIGHT * any(is_right(str(text)) for kind, text in right if kind == SAID)
     # What stops for ever behind what is wrong says it once.
