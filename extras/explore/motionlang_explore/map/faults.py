@@ -23,7 +23,7 @@ from motionlang_explore.exploration import (
     entries,
     number_in,
 )
-from motionlang_explore.map.plays import VALUES, Play, Plays, Settings, Watched
+from motionlang_explore.map.plays import VALUES, Play, Plays, Settings, Watched, switched
 from motionlang_explore.map.stops import Stops
 
 # A pause is no shorter, s; a longer one than usual is so by a share and a time, s. A move or a given time is none, if
@@ -295,7 +295,7 @@ class _Doings:
         found = [(0.0, 0), *((each.start_time, each.line) for each in log.moves)]
         # Waits but for a time end.
         found += [(each.until, line(each.at)) for each in log.waits if each.at >= 0 and each.cause != "time"]
-        for stream in (log.outputs, log.writes, log.prints):
+        for stream in (switched(exploration, run), log.writes, log.prints):
             found += [(each.time, line(each.at)) for each in stream if each.at >= 0]
         self._events = sorted(each for each in found if each[0] <= run.time)
         moves = ((each.start_time, each.profile, each.line) for each in log.moves)

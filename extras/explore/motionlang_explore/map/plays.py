@@ -15,7 +15,7 @@ from math import inf
 from typing import NamedTuple
 
 from motionlang.kernel import Run
-from motionlang.kernel.log import LoggedMove
+from motionlang.kernel.log import LoggedMove, Switched
 from motionlang_explore.exploration import (
     LENGTH,
     SECOND,
@@ -250,14 +250,20 @@ def inputs_until(run: Run, time: float) -> list[Entry]:
 
 def acts(exploration: Exploration, run: Run) -> list[tuple[float, int]]:
     """Return the times and lines of the moves, outputs and prints of a run, in order, but for the ends of pulses."""
-    log, on = run.machine.log, dict[int, int]()
+    log = run.machine.log
     found = [(each.start_time, each.line) for each in log.moves]
-    for switched in log.outputs:
-        is_end = not switched.value and on.get(switched.channel) == switched.at
-        on[switched.channel] = switched.at if switched.value else -1
-        found += [(switched.time, exploration.line(switched.at))] if switched.at >= 0 and not is_end else []
+    found += [(each.time, exploration.line(each.at)) for each in switched(exploration, run)]
     found += [(each.time, exploration.line(each.at)) for each in log.prints if each.at >= 0]
     return sorted(found)
+
+
+def switched(exploration: Exploration, run: Run) -> Iterator[Switched]:
+    """Yield what the program has switched in a run, but for the ends of pulses."""
+    statements = exploration.program.structure.statements
+    pulses = {at for at, each in statements.items() if any(use.unit == "ms" for use in each.channels)}
+    for each in run.machine.log.outputs:
+        if each.at >= 0 and (each.value or each.at not in pulses):
+            yield each
 
 
 def _middle(exploration: Exploration) -> tuple[LoggedMove | None, float]:
