@@ -43,12 +43,13 @@ _WORDS = {
     "input": r"d?i|i/?p'?s?|(?:d|dig(?:ital)? )?in(?:p(?:ut)?)?s?x?"
     rf"|{_ALONE}e|eing(?:ang|änge)?|ent(?:r(?:[ée]es?|adas?)?)?|ing(?:r(?:ess[oi])?|ang(?:en)?)?|{_SENSORS}",
     "output": r"d?[oq]|[uy](?=\d)|ot|o/?p'?s?|(?:d|dig(?:ital)? )?out(?:p(?:ut)?)?s?x?|rly|relays?"
-    rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|sa[ií]das?|usc(?:it[ae])?|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
+    rf"|{_ALONE}s|ausg(?:ang|änge)?|sor(?:t(?:ies?)?)?|sal(?:idas?)?|sa[ií]das?|usc(?:it[ae])?"
+    rf"|uit(?=[ .]?\d)|uitg(?:ang(?:en)?)?|{_ACTUATORS}",
     "channel": r"c(?=\d)|ch(?:an(?:nel)?)?s?|can(?=[ .]?\d)|kanaa?l|canale?|voies?|d?i/o|dio",
     "analogue input": rf"a/?dc?|ai|ai?n|ana|{_ALONE}a|anal[oó]gi(?:c[ao]|que)s?|analog(?:ue)?(?: in(?:put)?s?)?"
     r"|(?:canale|ingress[oi]|entradas?|entr[ée]es?) anal[oó]gi(?:qu|c)[aeio]s?|analogeing(?:ang|änge)",
     "analogue output": "dac|ao|aout|analog(?:ue)? out(?:put)?s?",
-    "axis": f"ax(?:is|es?)?|achsen?|ejes?|eixos?|ass[ei]|assen|{_DRIVES}",
+    "axis": rf"ax(?:is|es?)?|achsen?|ejes?|eixos?|ass[ei]|assen|as(?=[ .]?\d)|{_DRIVES}",
     # X0 is an input, or an axis where another word names the input with this number.
     "X": r"x(?=\d)",
     "encoder": "enc(?:oder)?s?",
@@ -97,7 +98,7 @@ _RANGE = re.compile(
 )
 # Where the name ends: at two blanks, a sign, a bracket, a number with a unit, a range, or the value of a number.
 _END = re.compile(
-    rf"\s{{2,}}|[,;|*(]|(?<=\w\w)(?:\.(?:\s|$)|:(?=\s*(?:\d|$)))|\s-\s+(?=\w)|(?:\s+[ie]n)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
+    rf"\s{{2,}}|[,;|*(]|\s\[|(?<=\w\w)(?:\.(?:\s|$)|:(?=\s*(?:\d|$)))|\s-\s+(?=\w)|(?:\s+[ie]n)?\s+(?=\d[\d.]*\s*{_UNIT}(?!\w))"
     r"|(?:\s+[ie]n)?\s+(?:mm|deg|rpm|%)(?=\s*(?:[,;.]|\s\s|$))"
     r"|\s+(?=\d{1,3}(?:\s*=|-\d))",
     re.IGNORECASE,
